@@ -9,40 +9,108 @@ MAKEFLAGS += --no-print-directory
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+PACKAGES := $(VENV)/.packages
 STAMP := $(VENV)/.installed
+UV := .cache/uv/bin/uv
+NOTEBOOKS := $(wildcard notebooks/*.ipynb)
 
-# Numba's cache does not notice a change in a function that another file calls, so each state of the sources has its own folder.
+# Numba's cache does not notice a change in another file, so each state of the sources has a cache of its own.
 SOURCES_SUM := $(shell cat tween/*.py 2>/dev/null | cksum | cut -d' ' -f1)
 export NUMBA_CACHE_DIR := $(CURDIR)/.cache/numba/$(SOURCES_SUM)
-# Figures go to files, never to a screen.
+# Figures go to files, so no screen is needed; a notebook's go into the notebook, and with Agg they would silently be lost.
 export MPLBACKEND := Agg
-# The order of sets of strings is the same in every run.
+INLINE := MPLBACKEND=module://matplotlib_inline.backend_inline
+# A person's own settings of matplotlib and IPython would change the figures.
+export MPLCONFIGDIR := $(CURDIR)/.cache/matplotlib
+export IPYTHONDIR := $(CURDIR)/.cache/ipython
+# Sets of strings have the same order in every run.
 export PYTHONHASHSEED := 0
-# The pinned interpreter must not pick up packages from outside the environment.
+# Packages from outside the environment would escape the lock.
 export PYTHONNOUSERSITE := 1
 unexport PYTHONPATH
 
-.PHONY: help setup reproduce notebooks test lint coverage bench lock clean check-python
+.PHONY: help check-python setup reproduce notebooks test lint coverage bench lock clean
 
-help: ## List the commands
+help: ## List the commands (this)
 	@grep -hE '^[a-z][a-z-]*:.*## ' $(firstword $(MAKEFILE_LIST)) | while IFS= read -r line; do \
 	  printf '  make %-13s %s\n' "$${line%%:*}" "$${line##*## }"; done
 
-check-python: ## Check that PYTHON (python3 unless given) is 3.11 or newer
-	@command -v "$(PYTHON)" >/dev/null || { echo "tween needs Python 3.11 or newer, but '$(PYTHON)' was not found: install it, or say where it is with 'make PYTHON=/path/to/python3 ...'." >&2; exit 1; }
+check-python: ## Say whether PYTHON (python3 unless given) is new enough
+	@command -v "$(PYTHON)" >/dev/null || { \
+	  echo "tween needs Python 3.11 or newer, but '$(PYTHON)' was not found; say where it is: make PYTHON=/path/to/python3 ..." >&2; exit 1; }
 	@found=$$("$(PYTHON)" -c 'import sys; print("%d.%d.%d" % sys.version_info[:3])' 2>/dev/null) || { \
-	  echo "tween needs Python 3.11 or newer, but '$(PYTHON)' does not run as Python: try 'make PYTHON=/path/to/python3 ...'." >&2; exit 1; }; \
+	  echo "tween needs Python 3.11 or newer, but '$(PYTHON)' does not run; say where one is: make PYTHON=/path/to/python3 ..." >&2; exit 1; }; \
 	"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
-	  echo "tween needs Python 3.11 or newer, but '$(PYTHON)' is Python $$found: say where a newer one is with 'make PYTHON=/path/to/python3 ...'." >&2; exit 1; }
+	  echo "tween needs Python 3.11 or newer, but '$(PYTHON)' is Python $$found; say where a newer one is: make PYTHON=/path/to/python3 ..." >&2; exit 1; }
 
-$(STAMP): pyproject.toml requirements.lock | check-python
+$(PACKAGES): requirements.lock | check-python
 	@echo "setup: making $(VENV) with $$("$(PYTHON)" --version)"
 	@"$(PYTHON)" -m venv --clear $(VENV)
-	@echo "setup: installing the packages pinned in requirements.lock (some minutes the first time)"
+	@echo "setup: installing the packages of requirements.lock (some minutes the first time)"
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.lock
-	@echo "setup: installing tween itself, editable"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	@touch $@
 
-setup: check-python $(STAMP) ## Make the environment .venv with the pinned packages
+$(STAMP): pyproject.toml $(PACKAGES)
+	@echo "setup: installing tween itself, editable"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@echo "setup: listing the fonts once, as matplotlib would warn about it in the middle of a notebook"
+	@$(BIN)/python -c "import matplotlib.font_manager"
+	@touch $@
+
+setup: $(STAMP) ## Make the environment .venv with the packages of requirements.lock
 	@echo "setup: $(VENV) is ready"
+
+reproduce: $(STAMP) ## Recompute Table 1 and the figures, then run the notebooks
+	@echo "reproduce: Table 1"
+	@$(BIN)/python -m experiments.table1
+	@echo "reproduce: figures"
+	@$(BIN)/python -m experiments.figures
+	@$(MAKE) notebooks
+	@echo "reproduce: done; numbers and figures are in results/, the story is in notebooks/"
+
+notebooks: $(STAMP) ## Run every notebook in place
+	@echo "notebooks: running every notebook in place"
+	@$(INLINE) $(BIN)/python -m experiments.notebooks
+
+test: $(STAMP) ## Check style and types, then run the tests, doctests and notebooks
+	@$(MAKE) lint
+	@echo "test: tests and doctests"
+	@$(BIN)/python -m pytest --doctest-modules tween tests
+ifeq ($(NOTEBOOKS),)
+	@echo "test: notebooks/ holds no notebook yet, so none is compared"
+else
+	@echo "test: running the notebooks anew and comparing their outputs with the committed ones"
+	@$(INLINE) $(BIN)/python -m pytest --nbval --nbval-current-env --nbval-sanitize-with tests/nbval_sanitize.cfg notebooks
+endif
+
+lint: $(STAMP) ## Check style, format and types, changing nothing
+	@echo "lint: style (mend with $(BIN)/ruff check --fix)"
+	@$(BIN)/ruff check .
+	@echo "lint: format (mend with $(BIN)/ruff format)"
+	@$(BIN)/ruff format --check .
+	@echo "lint: types"
+	@$(BIN)/python -m mypy $(wildcard tween experiments)
+
+coverage: $(STAMP) ## Report the lines that the quick tests miss, with the kernels run as plain Python
+	@echo "coverage: quick tests without compilation, which would hide the kernels' lines"
+	@mkdir -p .cache
+	@NUMBA_DISABLE_JIT=1 $(BIN)/python -m coverage run -m pytest -q --doctest-modules -m "not slow" tween tests
+	@$(BIN)/python -m coverage report
+
+bench: $(STAMP) ## Time tween beside its peers in one process
+	@echo "bench: timing"
+	@$(BIN)/python -m experiments.bench
+
+lock: check-python ## Choose the package versions anew and write requirements.lock
+	@echo "lock: getting uv"
+	@"$(PYTHON)" -m venv --clear .cache/uv
+	@.cache/uv/bin/python -m pip install --quiet --disable-pip-version-check uv==0.13.9
+	@echo "lock: choosing one version of each package for Python 3.11 and newer"
+	@$(UV) pip compile --quiet --upgrade --universal --fork-strategy fewest --python-version 3.11 --all-extras \
+	  --no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock" \
+	  --output-file requirements.lock pyproject.toml
+
+clean: ## Remove the environment, caches and reports; results and notebooks stay
+	@echo "clean: removing $(VENV), caches and reports"
+	@rm -rf $(VENV) .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis .coverage htmlcov build dist
+	@find . -name __pycache__ -type d -prune -exec rm -rf {} +
