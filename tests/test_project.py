@@ -1,0 +1,322 @@
+"""The project keeps its own rules: imports, notebooks, traces of a machine, documentation, commands."""
+
+import ast
+import json
+import os
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+MODULES = sorted(path for path in (ROOT / "tween").glob("**/*.py") if path.name != "__init__.py")
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+
+# Each module imports only from layers above its own line here.
+LAYERS = (
+    {"errors"},
+    {"predicates"},
+    {"curve"},
+    {"triangulation"},
+    {"decomposition", "flips", "dual"},
+    {"paths"},
+    {"morph"},
+    {"align", "metrics", "certificate", "baselines"},
+    {"gallery", "io"},
+    {"plot"},
+)
+# Imports (from, of) between modules of one layer; each needs its reason.
+SAME_LAYER: frozenset[tuple[str, str]] = frozenset()
+LAYER = {module: depth for depth, layer in enumerate(LAYERS) for module in layer}
+
+
+def name_of(path: Path) -> str:
+    """Return the path as the repository spells it."""
+    return path.relative_to(ROOT).as_posix()
+
+
+# Imports
+
+
+def imported(tree: ast.AST) -> Iterator[str]:
+    """Yield the dotted name of every module that the source imports, wherever the import stands."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            package = ".".join(filter(None, ["tween" if node.level else "", node.module]))
+            yield from (f"{package}.{alias.name}" if package == "tween" else package for alias in node.names)
+
+
+def import_faults(module: str, source: str, allowed: frozenset[tuple[str, str]] = SAME_LAYER) -> list[str]:
+    """Name each import that breaks the order of the layers."""
+    if module not in LAYER:
+        return [f"{module} has no layer: give it one in LAYERS"]
+    faults = []
+    for name in imported(ast.parse(source)):
+        root, *rest = name.split(".")
+        if root == "matplotlib" and module != "plot":
+            faults.append(f"{module} imports {name}: only plot draws")
+        if root != "tween" or (module, *rest[:1]) in allowed:
+            continue
+        if not rest or rest[0] not in LAYER:
+            faults.append(f"{module} imports {name}, which is no module: import from the module that defines it")
+        elif LAYER[rest[0]] >= LAYER[module]:
+            faults.append(f"{module} imports {rest[0]}, which is not below it")
+    return faults
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_imports_run_one_way(path: Path) -> None:
+    assert import_faults(path.stem, path.read_text()) == []
+
+
+@pytest.mark.parametrize(
+    ("module", "source"),
+    [
+        ("curve", "from tween.triangulation import Triangulation"),
+        ("curve", "import tween.morph as m"),
+        ("curve", "from tween import morph"),
+        ("curve", "from tween import Curve"),
+        ("curve", "from . import morph"),
+        ("curve", "from .morph import Morph"),
+        ("curve", "def late():\n    from tween.plot import draw"),
+        ("flips", "from tween.dual import DualTree"),
+        ("gallery", "from matplotlib import pyplot"),
+        ("surprise", ""),
+    ],
+)
+def test_an_upward_import_is_seen(module: str, source: str) -> None:
+    assert len(import_faults(module, source)) == 1
+
+
+@pytest.mark.parametrize(
+    ("module", "source"),
+    [
+        ("morph", "from tween.curve import Curve\nfrom tween.errors import TweenError"),
+        ("morph", "from . import paths\nfrom .dual import DualTree"),
+        ("plot", "import matplotlib.pyplot as plt\nfrom tween.gallery import figure"),
+    ],
+)
+def test_a_downward_import_is_fine(module: str, source: str) -> None:
+    assert import_faults(module, source) == []
+
+
+def test_an_import_within_a_layer_needs_an_allowance() -> None:
+    source = "from tween.dual import DualTree"
+    assert import_faults("flips", source) == ["flips imports dual, which is not below it"]
+    assert import_faults("flips", source, frozenset({("flips", "dual")})) == []
+
+
+# Notebooks
+
+
+def execution_faults(path: Path) -> list[str]:
+    """Name each code cell that was not run in its turn, failed, or lost its picture; nbval lets all of them pass."""
+    cells = [cell for cell in json.loads(path.read_text())["cells"] if cell["cell_type"] == "code"]
+    faults = [] if cells else ["no code cell"]
+    for number, cell in enumerate(cells, start=1):
+        count, outputs = cell["execution_count"], cell["outputs"]
+        if count != number:
+            faults.append(f"code cell {number} has execution count {count}")
+        if any(output["output_type"] == "error" for output in outputs):
+            faults.append(f"code cell {number} failed")
+        if "plt.show()" in "".join(cell["source"]) and not any("image/png" in o.get("data", {}) for o in outputs):
+            faults.append(f"code cell {number} shows a figure but holds no picture")
+    return faults
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)
+def test_every_notebook_was_run_from_top_to_bottom(path: Path) -> None:
+    assert execution_faults(path) == []
+
+
+def sound_cells() -> list[dict[str, Any]]:
+    """Return the cells of a notebook that is as it should be."""
+    picture = {"output_type": "display_data", "data": {"image/png": ""}}
+    return [
+        {"cell_type": "markdown", "source": ["# Title"]},
+        {"cell_type": "code", "source": ["x = 1"], "execution_count": 1, "outputs": []},
+        {"cell_type": "code", "source": ["draw(x)\n", "plt.show()"], "execution_count": 2, "outputs": [picture]},
+    ]
+
+
+@pytest.mark.parametrize(
+    ("change", "fault"),
+    [
+        ({}, []),
+        ({"execution_count": None}, ["code cell 2 has execution count None"]),
+        ({"execution_count": 1}, ["code cell 2 has execution count 1"]),
+        ({"outputs": []}, ["code cell 2 shows a figure but holds no picture"]),
+        ({"outputs": [{"output_type": "error"}], "source": ["1 / 0"]}, ["code cell 2 failed"]),
+    ],
+)
+def test_a_doctored_notebook_is_seen(tmp_path: Path, change: dict[str, Any], fault: list[str]) -> None:
+    cells = sound_cells()
+    cells[-1] |= change
+    path = tmp_path / "doctored.ipynb"
+    path.write_text(json.dumps({"cells": cells}))
+    assert execution_faults(path) == fault
+
+
+def test_a_notebook_without_code_is_seen(tmp_path: Path) -> None:
+    path = tmp_path / "empty.ipynb"
+    path.write_text(json.dumps({"cells": []}))
+    assert execution_faults(path) == ["no code cell"]
+
+
+# Traces of a machine
+
+# Written so that this file does not match itself.
+TRACE = re.compile(
+    r"(?<![\w.])/(?:work|root|home/\w+|Users/\w+|opt/\w+|tmp/bash)\b|pypi[.]org|pythonhosted[.]org|file:/{2}"
+)
+
+
+def trace_faults(name: str, text: str) -> list[str]:
+    """Name each line that mentions a path or a host of the machine on which it was written."""
+    return [f"{name}:{i}: {m[0]}" for i, line in enumerate(text.splitlines(), 1) if (m := TRACE.search(line))]
+
+
+def tracked() -> list[Path]:
+    """Return the files that git tracks and that still exist."""
+    listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return [path for name in listing.split("\0") if name and (path := ROOT / name).is_file()]
+
+
+@pytest.mark.skipif(
+    not (ROOT / ".git").exists(), reason="which files belong to the project is known in a git checkout only"
+)
+def test_no_file_mentions_the_machine_it_was_made_on() -> None:
+    files = tracked()
+    assert files
+    assert [f for path in files for f in trace_faults(name_of(path), path.read_text(errors="replace"))] == []
+
+
+@pytest.mark.parametrize("parts", [("", "work", "main"), ("see ", "root", ".cache"), ("https:", "", "pypi" + ".org")])
+def test_a_trace_of_a_machine_is_seen(parts: tuple[str, ...]) -> None:
+    assert len(trace_faults("file", "first line\n" + "/".join(parts))) == 1
+
+
+@pytest.mark.parametrize("text", ["the work/rest ratio", "and/or/rooted", "results/work/a.csv", "../work/x"])
+def test_a_relative_path_is_no_trace(text: str) -> None:
+    assert trace_faults("file", text) == []
+
+
+# Documentation
+
+
+def is_kernel(node: ast.FunctionDef) -> bool:
+    """Say whether numba compiles the function."""
+    return any(re.match(r"(numba\.)?(njit|vectorize|guvectorize)\b", ast.unparse(d)) for d in node.decorator_list)
+
+
+def parameters(node: ast.FunctionDef) -> list[ast.arg]:
+    """Return the parameters of a function, self and cls left out."""
+    a = node.args
+    every = [*a.posonlyargs, *a.args, *([a.vararg] if a.vararg else []), *a.kwonlyargs, *([a.kwarg] if a.kwarg else [])]
+    return [p for p in every if p.arg not in {"self", "cls"}]
+
+
+def returns_something(node: ast.FunctionDef) -> bool:
+    """Say whether a caller gets a value."""
+    if node.returns is not None:
+        return ast.unparse(node.returns) not in {"None", "NoReturn", "Never"}
+    return any(isinstance(n, ast.Return | ast.Yield | ast.YieldFrom) and n.value is not None for n in ast.walk(node))
+
+
+def function_faults(node: ast.FunctionDef) -> list[str]:
+    """Name what a public function lacks; of a compiled kernel, which only modules call, a sentence is asked."""
+    text = ast.get_docstring(node) or ""
+    if not text:
+        return [f"{node.name} has no docstring"]
+    if is_kernel(node):
+        return []
+    faults = [f"{node.name} does not explain {p.arg}" for p in parameters(node) if not re.search(rf"\b{p.arg}\b", text)]
+    if parameters(node) and "Parameters\n----------" not in text:
+        faults.append(f"{node.name} has no section Parameters")
+    if returns_something(node) and not re.search(r"^(Returns\n-------|Yields\n------)$", text, re.MULTILINE):
+        faults.append(f"{node.name} has no section Returns")
+    if node.returns is None or any(p.annotation is None for p in parameters(node)):
+        faults.append(f"{node.name} has no annotations")
+    return faults
+
+
+def class_faults(node: ast.ClassDef) -> list[str]:
+    """Name what the docstring of a public class lacks."""
+    text = ast.get_docstring(node) or ""
+    if not text:
+        return [f"{node.name} has no docstring"]
+    made_with = any(isinstance(n, ast.FunctionDef) and n.name == "__init__" and parameters(n) for n in node.body)
+    fields = any(isinstance(n, ast.AnnAssign) for n in node.body)
+    if (made_with or fields) and not re.search(
+        r"^(Parameters\n----------|Attributes\n----------)$", text, re.MULTILINE
+    ):
+        return [f"{node.name} has no section Parameters or Attributes"]
+    return []
+
+
+def documentation_faults(source: str) -> list[str]:
+    """Name what the public functions and classes of a module lack."""
+    public = [n for n in ast.parse(source).body if not getattr(n, "name", "_").startswith("_")]
+    faults = [f for n in public if isinstance(n, ast.FunctionDef) for f in function_faults(n)]
+    return faults + [f for n in public if isinstance(n, ast.ClassDef) for f in class_faults(n)]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_public_names_are_documented(path: Path) -> None:
+    assert documentation_faults(path.read_text()) == []
+
+
+DOCUMENTED = '''
+def area(points: list) -> float:
+    """Return the area.
+
+    Parameters
+    ----------
+    points : list
+        Corners.
+
+    Returns
+    -------
+    float
+        The area.
+    """
+'''
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ("", "", []),
+        ("def area(", "def _area(", []),
+        ("Parameters\n", "Inputs\n", ["area has no section Parameters"]),
+        ("Returns\n", "Gives\n", ["area has no section Returns"]),
+        ("points: list)", "points)", ["area has no annotations"]),
+        ("points: list)", "points: list, unit: str)", ["area does not explain unit"]),
+        (DOCUMENTED, '@njit(cache=True)\ndef area(x):\n    """The area."""\n    return x', []),
+        (DOCUMENTED, "def area(): ...", ["area has no docstring"]),
+        (DOCUMENTED, "@njit\ndef area(): ...", ["area has no docstring"]),
+        (DOCUMENTED, "class Area: ...", ["Area has no docstring"]),
+        (DOCUMENTED, 'class Area:\n    """An area."""\n    x: int', ["Area has no section Parameters or Attributes"]),
+    ],
+)
+def test_a_gap_in_the_documentation_is_seen(old: str, new: str, fault: list[str]) -> None:
+    assert documentation_faults(DOCUMENTED.replace(old, new) if old else DOCUMENTED) == fault
+
+
+# Commands
+
+
+def test_help_lists_every_command() -> None:
+    makefile = (ROOT / "Makefile").read_text()
+    commands = {name for line in re.findall(r"^\.PHONY:(.*)$", makefile, re.MULTILINE) for name in line.split()}
+    # A make that runs these tests hands its own flags down.
+    env = {key: value for key, value in os.environ.items() if key not in {"MAKEFLAGS", "MFLAGS", "MAKELEVEL"}}
+    listing = subprocess.run(["make"], cwd=ROOT, env=env, capture_output=True, text=True, check=True).stdout
+    listed = {line.split()[1] for line in listing.splitlines() if line.startswith("  make ") and len(line.split()) > 2}
+    assert {"setup", "reproduce", "test", "bench"} <= commands
+    assert listed == commands
