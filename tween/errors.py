@@ -1,0 +1,21 @@
+"""The errors of tween: one root, and a ValueError wherever the input is at fault."""
+
+
+class TweenError(Exception):
+    """Root of every error that tween raises on purpose."""
+
+
+class CurveError(TweenError, ValueError):
+    """The points are no polygon that tween can treat; the message names the vertex."""
+
+
+class TriangulationError(TweenError, ValueError):
+    """The triangles do not triangulate a disk on the curve; the message names the broken rule."""
+
+
+class NotSelfOverlappingError(TweenError, ValueError):
+    """The curve bounds no immersed disk; the message is `Decomposition.reason`."""
+
+
+class IncompatibleError(TweenError, ValueError):
+    """Two curves or triangulations cannot be matched as asked; the message says what would work."""
