@@ -1,4 +1,42 @@
-"""Morphing the boundaries of immersed disks."""
+"""Morphing the boundaries of immersed disks.
 
-from tween.curve import Curve
+    points -> Curve -> decompose -> Triangulation -> remesh -> morph -> frames -> metrics
+
+After Mukherjee and Gopi, *Tweening Boundary Curves of Non-simple Immersions of a Disk*.
+"""
+
+from tween.curve import Crossings, Curve
+from tween.decomposition import Decomposition, decompose
 from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError, TriangulationError, TweenError
+from tween.flips import flip, flippable, locally_delaunay, remesh
+from tween.metrics import area_matrix, area_rank, frame_variance
+from tween.morph import Event, Morph, morph, triangulate
+from tween.predicates import incircle, orient2d
+from tween.triangulation import Triangulation, compatible_shift
+
+__all__ = [
+    "Crossings",
+    "Curve",
+    "CurveError",
+    "Decomposition",
+    "Event",
+    "IncompatibleError",
+    "Morph",
+    "NotSelfOverlappingError",
+    "Triangulation",
+    "TriangulationError",
+    "TweenError",
+    "area_matrix",
+    "area_rank",
+    "compatible_shift",
+    "decompose",
+    "flip",
+    "flippable",
+    "frame_variance",
+    "incircle",
+    "locally_delaunay",
+    "morph",
+    "orient2d",
+    "remesh",
+    "triangulate",
+]

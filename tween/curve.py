@@ -8,6 +8,7 @@ import heapq
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 import shapely
@@ -15,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
 from tween.predicates import EXACT_RANGE, orient2d
+
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 
 @dataclass(frozen=True)
@@ -190,10 +193,10 @@ def as_curve(curve: "Curve | ArrayLike") -> Curve:
     if isinstance(curve, Curve):
         return curve
     boundary = getattr(curve, "curve", None)
-    return boundary if isinstance(boundary, Curve) else Curve(curve)  # type: ignore[arg-type]
+    return boundary if isinstance(boundary, Curve) else Curve(curve)
 
 
-def _frozen(array: NDArray) -> NDArray:
+def _frozen(array: NDArray[_Scalar]) -> NDArray[_Scalar]:
     array.setflags(write=False)
     return array
 
@@ -289,10 +292,9 @@ def _crossings(p: NDArray[np.float64]) -> Crossings:
     return Crossings(_frozen(pairs), _frozen(proper[meet][order]))
 
 
-def _within_box(
-    start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray[np.float64]
-) -> NDArray[np.bool_]:
-    return ((np.minimum(start, end) <= x) & (x <= np.maximum(start, end))).all(axis=1)
+def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.bool_]:
+    inside = (np.minimum(start, end) <= x) & (x <= np.maximum(start, end))
+    return inside[:, 0] & inside[:, 1]
 
 
 def _halve_longest_edges(

@@ -108,9 +108,7 @@ class Decomposition:
         [[0, 1, 3], [1, 2, 3]]
         """
         self._require()
-        return self._triangulation(
-            _walk(self._points, self._first, self._last, self._ends, self._n, split == "last")
-        )
+        return self._triangulation(_walk(self._points, self._first, self._last, self._ends, self._n, split == "last"))
 
     @overload
     def sample(self, rng: np.random.Generator) -> Triangulation: ...

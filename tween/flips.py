@@ -12,6 +12,8 @@ keep their rows, and the edge its number:
 Legend: ``h`` half-edges as in `tween.triangulation`; ``a b c d`` the corners above.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -162,7 +164,7 @@ def half_edge(T: Triangulation, diagonal: tuple[int, int]) -> int:
     return int(T._inner_half_edges()[np.flatnonzero(same)[0]])
 
 
-def _rows(test, T: Triangulation) -> NDArray[np.bool_]:
+def _rows(test: Callable[..., bool], T: Triangulation) -> NDArray[np.bool_]:
     h = T._inner_half_edges()
     return np.array([test(T.points, T.triangles, T.twin, x) for x in h], dtype=np.bool_)
 

@@ -167,9 +167,7 @@ def incircle_sign(ax, ay, bx, by, cx, cy, dx, dy):
     b1c2, c1b2, c1a2, a1c2, a1b2, b1a2 = b1 * c2, c1 * b2, c1 * a2, a1 * c2, a1 * b2, b1 * a2
     a_lift, b_lift, c_lift = a1 * a1 + a2 * a2, b1 * b1 + b2 * b2, c1 * c1 + c2 * c2
     det = a_lift * (b1c2 - c1b2) + b_lift * (c1a2 - a1c2) + c_lift * (a1b2 - b1a2)
-    size = (
-        a_lift * (abs(b1c2) + abs(c1b2)) + b_lift * (abs(c1a2) + abs(a1c2)) + c_lift * (abs(a1b2) + abs(b1a2))
-    )
+    size = a_lift * (abs(b1c2) + abs(c1b2)) + b_lift * (abs(c1a2) + abs(a1c2)) + c_lift * (abs(a1b2) + abs(b1a2))
     if abs(det) > _INCIRCLE_BOUND * size:
         return _sign(det)
     return _incircle_exact(ax, ay, bx, by, cx, cy, dx, dy)

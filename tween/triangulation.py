@@ -1,17 +1,17 @@
-"""Triangulations of an immersed disk without interior vertices.
+r"""Triangulations of an immersed disk without interior vertices.
 
 A triangulation is two arrays: the points along the curve, and n-2 counter-clockwise triples of them.
 All else is derived.  Half-edge ``3*t + s`` of triangle t runs from its corner s to its corner s+1:
 
             c                 half-edge  3t    a -> b
-          /   \\                         3t+1  b -> c
+          /   \                         3t+1  b -> c
       3t+2     3t+1                      3t+2  c -> a
-      /           \\
+      /           \
      a --- 3t ---- b          twin[t, s] is the half-edge b -> a of the triangle across, -1 on the curve
 """
 
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -290,13 +290,13 @@ def compatible_shift(first: Triangulation, second: Triangulation) -> int | None:
     return None if shift < 0 else shift
 
 
-def _read_only(values: ArrayLike, dtype: type, name: str) -> NDArray:
+def _read_only(values: ArrayLike, dtype: type, name: str) -> NDArray[Any]:
     """Return the array itself where it is read-only already, a read-only copy where not."""
     if isinstance(values, np.ndarray) and values.dtype == dtype and not values.flags.writeable:
         return values
     if dtype is np.int64 and not np.issubdtype(np.asarray(values).dtype, np.integer):
         raise TriangulationError(f"{name} have dtype {np.asarray(values).dtype}, expected integers")
-    array = np.array(values, dtype=dtype)
+    array: NDArray[Any] = np.array(values, dtype=dtype)
     array.setflags(write=False)
     return array
 
