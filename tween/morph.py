@@ -17,7 +17,7 @@ from tween.decomposition import decompose
 from tween.dual import RootedTree, disk_center, rooted, tree_center
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.flips import remesh
-from tween.paths import PATHS, third_vertices
+from tween.paths import PATHS, Path, third_vertices
 from tween.triangulation import Triangulation, compatible_shift
 
 Root = Literal["disk-center", "tree-center"] | int
@@ -49,7 +49,7 @@ class Morph:
         Number of the root triangle.
     """
 
-    def __init__(self, source: Triangulation, target: Triangulation, path: str, root: int) -> None:
+    def __init__(self, source: Triangulation, target: Triangulation, path: Path, root: int) -> None:
         if path not in PATHS:
             raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
         self.source, self.target, self.path, self.root = source, target, path, root
@@ -142,7 +142,7 @@ class Morph:
 def morph(
     source: Triangulation | Curve | ArrayLike,
     target: Triangulation | Curve | ArrayLike,
-    path: Literal["linear", "slide"] = "slide",
+    path: Path = "slide",
     root: Root = "disk-center",
 ) -> Morph:
     """Morph one immersed disk into another with a compatible triangulation.
@@ -245,7 +245,7 @@ def _root(first: Triangulation, second: Triangulation, root: Root) -> int:
 
 
 def hang(
-    source: Triangulation, target_points: NDArray[np.float64], tree: RootedTree, path: str, t: NDArray[np.float64]
+    source: Triangulation, target_points: NDArray[np.float64], tree: RootedTree, path: Path, t: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Lay out the triangles of all times, the root first and each child on its base.
 

@@ -17,19 +17,21 @@ and z2 to it; ``s`` position along the segment, 0 to 1; ``t`` time.
 """
 
 import math
+from typing import Literal, get_args
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-PATHS = ("linear", "slide")
+Path = Literal["linear", "slide"]
+PATHS: tuple[Path, ...] = get_args(Path)
 
 _LINE = -1.0  # the `end` of a straight piece; arcs have the end of the base about which they turn
 _MOST_PIECES = 5
 
 
 def third_vertices(
-    path: str,
+    path: Path,
     source: NDArray[np.complex128],
     target: NDArray[np.complex128],
     propagates: NDArray[np.bool_],

@@ -1,0 +1,162 @@
+"""Time tween beside peers in one process: medians over repeats, ratios where there is a peer.
+
+A ratio says how many times the peer's time tween takes; below 1 tween is faster.  Compilation happens
+before the clock starts.
+"""
+
+import argparse
+from collections.abc import Callable
+from fractions import Fraction
+from statistics import median
+from time import perf_counter
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.spatial import Delaunay
+
+from experiments import table1
+from experiments.store import Checkpoint
+from tween import Curve, area_matrix, decompose, gallery, morph, orient2d, remesh
+from tween.predicates import turn
+
+SEED = 7
+
+
+class Timing(NamedTuple):
+    """A task, what it is compared with, and the two functions to time."""
+
+    task: str
+    ours: Callable[[], object]
+    peer: str = ""
+    theirs: Callable[[], object] | None = None
+    repeats: int = 7
+
+
+def spiral_strip(n: int, turns: float = 2.0) -> Curve:
+    """A dense strip along a spiral."""
+    angle = np.linspace(0, 2 * np.pi * turns, n // 2)
+    radius = 1 + 0.12 * angle
+    return gallery.ribbon(np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1), 0.6)
+
+
+@njit(cache=True)
+def textbook_table(points: NDArray[np.float64]) -> bool:
+    """The table as a matrix, filled diagonal by diagonal: what one writes after reading the paper."""
+    n = len(points)
+    holds = np.zeros((n, n), np.bool_)
+    for i in range(n - 1):
+        holds[i, i + 1] = True
+    for length in range(2, n):
+        for i in range(n - length):
+            j = i + length
+            for k in range(i + 1, j):
+                if holds[i, k] and holds[k, j] and turn(points, i, k, j) > 0:
+                    holds[i, j] = True
+                    break
+    return bool(holds[0, n - 1])
+
+
+def fraction_signs(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> list[bool]:
+    exact = [[tuple(map(Fraction, p)) for p in points.tolist()] for points in (a, b, c)]
+    return [(q[0] - p[0]) * (r[1] - p[1]) > (q[1] - p[1]) * (r[0] - p[0]) for p, q, r in zip(*exact, strict=True)]
+
+
+def plain_signs(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> NDArray[np.float64]:
+    u, v = b - a, c - a
+    return np.sign(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+def predicates() -> list[Timing]:
+    a, b, c = np.random.default_rng(SEED).random((3, 100_000, 2))
+    few = a[:2000], b[:2000], c[:2000]
+    return [
+        Timing("orient2d, 100,000 triples", lambda: orient2d(a, b, c), "numpy, inexact", lambda: plain_signs(a, b, c)),
+        Timing("orient2d, 2,000 triples", lambda: orient2d(*few), "Fractions", lambda: fraction_signs(*few)),
+    ]
+
+
+def tables() -> list[Timing]:
+    disk = gallery.random_disk(1000, np.random.default_rng(SEED)).curve
+    spiral = spiral_strip(1000)
+    hundred = decompose(gallery.random_disk(100, np.random.default_rng(SEED)).curve)
+    rng = np.random.default_rng(SEED)
+    return [
+        Timing("table, random_disk(1000)", lambda: decompose(disk), "matrix", lambda: textbook_table(disk.points)),
+        Timing(
+            f"table, two-turn spiral strip, n = {len(spiral)}",
+            lambda: decompose(spiral),
+            "matrix",
+            lambda: textbook_table(spiral.points),
+            repeats=3,
+        ),
+        Timing("1000 uniform samples, n = 100", lambda: hundred.sample(rng, 1000)),
+    ]
+
+
+def morphs() -> list[Timing]:
+    T = decompose(spiral_strip(1000)).arbitrary()
+    points, times = T.points, np.linspace(0, 1, 100)
+    R = remesh(T)
+    D = R.on_disk()
+
+    def straight() -> object:
+        return (1 - times)[:, None, None] * R.points + times[:, None, None] * D.points
+
+    return [
+        Timing(f"remesh, n = {len(T)}", lambda: remesh(T), "scipy Delaunay of the points", lambda: Delaunay(points)),
+        Timing(
+            f"slide morph, n = {len(T)}, 100 frames", lambda: morph(R, D).frames(100), "numpy straight lines", straight
+        ),
+        Timing(f"area matrix, n = {len(T)}, 100 frames", lambda: area_matrix(morph(R, D))),
+    ]
+
+
+def whole_table() -> list[Timing]:
+    names, checkpoint = table1.shapes(), Checkpoint("bench", table1.PARAMETERS)
+
+    def study() -> None:
+        checkpoint.clear()
+        list(table1.compute(names, table1.PARAMETERS["samples"], checkpoint))
+        checkpoint.clear()
+
+    return [Timing(f"Table 1: {len(names)} curves, 1000 samples, 100 frames, both paths", study, repeats=1)]
+
+
+def seconds(task: Callable[[], object], repeats: int) -> float:
+    """Median time of a task, after one run that does not count unless it is to run only once."""
+    if repeats > 1:
+        task()
+    times = []
+    for _ in range(repeats):
+        start = perf_counter()
+        task()
+        times.append(perf_counter() - start)
+    return median(times)
+
+
+def report(timing: Timing) -> None:
+    ours = seconds(timing.ours, timing.repeats)
+    line = f"{timing.task:<62} {_readable(ours):>9}"
+    if timing.theirs is not None:
+        theirs = seconds(timing.theirs, timing.repeats)
+        line += f"   {ours / theirs:8.3g} x {timing.peer} ({_readable(theirs)})"
+    print(line, flush=True)
+
+
+def _readable(t: float) -> str:
+    return f"{t:.1f} s" if t >= 10 else f"{t:.2f} s" if t >= 1 else f"{t * 1e3:.2f} ms"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m experiments.bench", description=__doc__.split("\n")[0])
+    parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
+    arguments = parser.parse_args()
+    for group in (predicates, tables, morphs, *(() if arguments.quick else (whole_table,))):
+        for timing in group():
+            report(timing)
+
+
+if __name__ == "__main__":
+    main()

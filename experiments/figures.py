@@ -1,0 +1,105 @@
+"""The figures: each function draws one of the paper's figures, or one of ours, and names its file."""
+
+from collections.abc import Callable
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from experiments.store import RESULTS, rng_for, save_figure
+from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, triangulate
+from tween import plot as draw
+
+SEED = 20100
+
+
+def figure_3() -> Figure:
+    """Dual graphs and their simplifications: an arbitrary triangulation and the remeshed one."""
+    d = decompose(gallery.curve("spiral_1"))
+    rows = {"arbitrary": d.sample(rng_for(SEED, "figure 3")), "remeshed": triangulate(gallery.curve("spiral_1"))}
+    figure, axes = plt.subplots(1, 4, figsize=(7.2, 2.1))
+    for (label, T), pair in zip(rows.items(), axes.reshape(2, 2), strict=True):
+        draw.draw_triangulation(T, pair[0], colors="0.85", alpha=0.6)
+        draw.draw_dual_tree(T, pair[0])
+        draw.draw_dual_tree(T, pair[1], simplified=True)
+        pair[1].set(xlim=pair[0].get_xlim(), ylim=pair[0].get_ylim())
+        leaves = int(np.sum(np.bincount(T.dual.ravel()) == 1))
+        pair[0].set_title(f"{label}")
+        pair[1].set_title(f"{leaves} leaves")
+    return figure
+
+
+def figure_6() -> Figure:
+    """A morph to the disk with a random and with the remeshed triangulation."""
+    c = gallery.curve("spiral_1")
+    T = triangulate(c)
+    disk = T.on_disk().points
+    random = decompose(c).sample(rng_for(SEED, "figure 6"))
+    figure, axes = plt.subplots(2, 1, figsize=(7.2, 3.4))
+    for ax, shape, label in zip(axes, (random, T), ("random", "remeshed"), strict=True):
+        m = morph(shape, Triangulation(disk, shape.triangles))
+        draw.draw_filmstrip(m, np.linspace(0, 1, 7), ax, labels=shape is T)
+        ax.set_title(f"{label}: Var {frame_variance(area_matrix(m)):.1e}", loc="left")
+    return figure
+
+
+def gallery_sheet() -> Figure:
+    """Every curve of the gallery and every letter, layers shown by transparency."""
+    shapes = {name: gallery.curve(name) for name in gallery.names()}
+    shapes |= {f"letter {letter}": gallery.letter(letter) for letter in gallery.letters()}
+    columns = 7
+    rows = -(-len(shapes) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(7.2, 1.15 * rows))
+    for ax in axes.flat:
+        ax.set_axis_off()
+    for ax, (name, shape) in zip(axes.flat, shapes.items(), strict=False):
+        draw.draw_shape(shape, ax)
+        ax.set_title(name.replace("_", " "), fontsize=7.5)
+    return figure
+
+
+def table_1() -> Figure:
+    """Where the remeshed triangulation lies in the distribution of the random ones, curve by curve."""
+    table = pd.read_csv(RESULTS / "table1.csv")
+    figure, axes = plt.subplots(2, 2, figsize=(7.2, 7.4), sharey=True)
+    for row, measure in zip(axes, ("AR_1e-4", "Var"), strict=True):
+        for ax, path in zip(row, ("linear", "slide"), strict=True):
+            _distributions(ax, table[table.path == path], measure)
+            ax.set_title(f"{'AR at 1e-4' if measure != 'Var' else 'Var'}, {path}")
+    axes[0, 0].legend(loc="lower right")
+    return figure
+
+
+def _distributions(ax: Axes, table: pd.DataFrame, measure: str) -> None:
+    wide = table.pivot(index="curve", columns="triangulation", values=measure).reindex(table.curve.unique()[::-1])
+    y = np.arange(len(wide))
+    ax.hlines(y, wide.uniform_min, wide.uniform_max, color=draw.RANDOM, linewidth=0.7, label="uniform: all")
+    ax.hlines(y, wide.uniform_q25, wide.uniform_q75, color=draw.RANDOM, linewidth=4, label="uniform: middle half")
+    ax.scatter(wide["first"], y, s=14, marker="|", color=draw.PIVOT, label="first split", zorder=3)
+    ax.scatter(wide["last"], y, s=14, marker="x", color=draw.PIVOT, linewidths=0.8, label="last split", zorder=3)
+    ax.scatter(wide.remeshed, y, s=18, color=draw.SOURCE, label="remeshed", zorder=4)
+    ax.set_yticks(y, [name.replace("_", " ") for name in wide.index], fontsize=7)
+    if measure == "Var":
+        ax.set_xscale("log")
+
+
+FIGURES: dict[str, Callable[[], Figure]] = {
+    "figure_03_dual_graphs": figure_3,
+    "figure_06_random_remeshed": figure_6,
+    "gallery": gallery_sheet,
+    "table_1": table_1,
+}
+
+
+def main() -> None:
+    draw.use_style()
+    for name, make in FIGURES.items():
+        figure = make()
+        print(f"figures: {save_figure(figure, name).relative_to(RESULTS.parent)}")
+        plt.close(figure)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,77 @@
+"""Where studies keep their results: whole files or none, and checkpoints of what is done so far."""
+
+import hashlib
+import json
+import os
+import shutil
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+ROOT = Path(__file__).resolve().parent.parent
+RESULTS = ROOT / "results"
+FIGURES = RESULTS / "figures"
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write beside the file, then rename: a reader, or an interruption, never meets half a file."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    temporary.write_text(text, encoding="utf-8", newline="\n")
+    os.replace(temporary, path)
+
+
+def write_csv(path: Path, table: pd.DataFrame) -> None:
+    write_text(path, table.to_csv(index=False, lineterminator="\n"))
+
+
+def write_json(path: Path, content: Any) -> None:
+    write_text(path, json.dumps(content, indent=1, sort_keys=True) + "\n")
+
+
+def save_figure(figure: Any, name: str) -> Path:
+    """Save as PNG without the metadata that would change its bytes."""
+    FIGURES.mkdir(parents=True, exist_ok=True)
+    path = FIGURES / f"{name}.png"
+    temporary = FIGURES / f".{name}.{os.getpid()}.png"
+    figure.savefig(temporary, metadata={"Software": None})
+    os.replace(temporary, path)
+    return path
+
+
+def rng_for(seed: int, name: str) -> np.random.Generator:
+    """A generator for each name, so that the order of work does not matter."""
+    return np.random.default_rng([seed, zlib.crc32(name.encode())])
+
+
+class Checkpoint:
+    """Finished parts of a study, kept until the whole is done.
+
+    The parts are kept under a key of the parameters and of every line of code in tween and
+    experiments: what another version of the code computed is never taken up.
+    """
+
+    def __init__(self, study: str, parameters: dict[str, Any]) -> None:
+        sources = sorted([*(ROOT / "tween").glob("*.py"), *(ROOT / "experiments").glob("*.py")])
+        digest = hashlib.sha256(json.dumps(parameters, sort_keys=True).encode())
+        for source in sources:
+            digest.update(source.read_bytes())
+        self._study = ROOT / ".cache" / "studies" / study
+        self._folder = self._study / digest.hexdigest()[:16]
+
+    def _path(self, part: str) -> Path:
+        return self._folder / f"{part.encode().hex()}.json"
+
+    def load(self, part: str) -> Any | None:
+        path = self._path(part)
+        return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+
+    def save(self, part: str, content: Any) -> None:
+        write_json(self._path(part), content)
+
+    def clear(self) -> None:
+        """Forget all parts, older versions' too."""
+        shutil.rmtree(self._study, ignore_errors=True)

@@ -1,0 +1,164 @@
+"""Table 1: how even is the morph to a circle, remeshed against random triangulations?
+
+For every curve of the gallery and every letter, and for both of the paper's paths: the area-matrix
+rank (AR) at three tolerances and the variance of the frame differences (Var), for the remeshed
+triangulation, for the first and the last one of the table (what "arbitrary" may have meant), and for
+many drawn uniformly from all.  Writes results/table1.csv, results/table1.json (with histograms of the
+uniform ones) and results/table1_paper.csv (the paper's own numbers).
+"""
+
+import argparse
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from joblib import Parallel, delayed
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+from experiments.store import RESULTS, Checkpoint, rng_for, write_csv, write_json
+from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, remesh
+from tween.metrics import rank_of
+from tween.paths import Path
+
+PARAMETERS: dict[str, Any] = {
+    "seed": 20100,
+    "samples": 1000,
+    "frames": 100,
+    "paths": ["linear", "slide"],
+    "tolerances": [1e-4, 1e-6, 1e-9],
+    "root": "disk-center",
+    "disk": "equal area, vertices spaced by arc length",
+}
+QUANTILES = {"min": 0.0, "q05": 0.05, "q25": 0.25, "median": 0.5, "q75": 0.75, "q95": 0.95, "max": 1.0}
+MEASURES = [*(f"AR_{tolerance:.0e}".replace("e-0", "e-") for tolerance in PARAMETERS["tolerances"]), "Var"]
+PAPER = {  # Table 1 as printed; the figure's curves are unpublished, its units and tolerance not stated
+    "curve": ["Figure 11, row 1", "Figure 11, row 3", "Figure 11, row 4", "Figure 11, row 7"],
+    "AR_remeshed": [7, 17, 10, 23],
+    "AR_arbitrary": [31, 42, 13, 36],
+    "Var_remeshed": [0.01, 0.01, 0.007, 0.007],
+    "Var_arbitrary": [0.11, 0.02, 0.008, 0.03],
+}
+
+
+def shapes() -> dict[str, str]:
+    """The study's curves: name -> kind."""
+    letters = {f"letter {letter}": "letter" for letter in gallery.letters()}
+    return {name: "constructed" for name in gallery.names()} | letters
+
+
+def shape(name: str) -> Any:
+    return gallery.letter(name.removeprefix("letter ")) if name.startswith("letter ") else gallery.curve(name)
+
+
+def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:
+    """AR at every tolerance, then Var, of the morph to the disk."""
+    m = morph(T, Triangulation(disk, T.triangles), path=path, root=PARAMETERS["root"])
+    A = area_matrix(m, PARAMETERS["frames"])
+    singular = np.linalg.svd(A, compute_uv=False)
+    return [*(rank_of(singular, rtol) for rtol in PARAMETERS["tolerances"]), frame_variance(A)]
+
+
+def percentile(value: float, distribution: NDArray[np.float64]) -> float:
+    """Share of the distribution below a value, ties counted half."""
+    return float(np.mean(distribution < value) + 0.5 * np.mean(distribution == value))
+
+
+def study(name: str, kind: str, samples: int) -> dict[str, Any]:
+    """Everything about one curve: its rows of the table and its histograms."""
+    decomposition = decompose(shape(name))
+    remeshed = remesh(decomposition.arbitrary())
+    disk = remeshed.on_disk().points
+    single = {"remeshed": remeshed, "first": decomposition.arbitrary(), "last": decomposition.arbitrary("last")}
+    uniform = decomposition.sample(rng_for(PARAMETERS["seed"], name), samples)
+    about = {"curve": name, "kind": kind, "n": len(remeshed), "log10_count": _log10(decomposition.count)}
+    rows, histograms = [], {}
+    for path in PARAMETERS["paths"]:
+        drawn = np.array([measure(T, disk, path) for T in uniform])
+        about_path = about | {"path": path}
+        for label, T in single.items():
+            values = measure(T, disk, path)
+            places = [percentile(v, column) for v, column in zip(values, drawn.T, strict=True)]
+            rows.append(about_path | {"triangulation": label} | _named(values, places))
+        for label, q in QUANTILES.items():
+            values = np.quantile(drawn, q, axis=0, method="inverted_cdf").tolist()
+            rows.append(about_path | {"triangulation": f"uniform_{label}"} | _named(values))
+        histograms[path] = _histograms(drawn)
+    return {"rows": rows, "histograms": {name: histograms}}
+
+
+def _log10(count: int) -> float:
+    digits = len(str(count)) - 1
+    return round(digits + float(np.log10(count / 10**digits)), 2)
+
+
+def _named(values: list[float], places: list[float] | None = None) -> dict[str, float | None]:
+    named: dict[str, float | None] = {m: v for m, v in zip(MEASURES, values, strict=True)}
+    return named | {f"percentile_{m}": places[i] if places else None for i, m in enumerate(MEASURES)}
+
+
+def _histograms(drawn: NDArray[np.float64]) -> dict[str, Any]:
+    """How often each AR occurs; Var at every twentieth."""
+    counts = {
+        m: {str(k): v for k, v in sorted(Counter(c.astype(int).tolist()).items())}
+        for m, c in zip(MEASURES[:-1], drawn.T[:-1], strict=True)
+    }
+    twentieths = np.quantile(drawn[:, -1], np.linspace(0, 1, 21), method="inverted_cdf")
+    return counts | {"Var": [float(f"{v:.4e}") for v in twentieths]}
+
+
+def compute(names: dict[str, str], samples: int, checkpoint: Checkpoint) -> Iterator[Any]:
+    """Study the curves on all cores; what is finished is kept, and not computed again after an interruption."""
+    todo = [name for name in names if checkpoint.load(name) is None]
+    if len(todo) < len(names):
+        print(f"table1: {len(names) - len(todo)} of {len(names)} curves were finished before; going on with the rest")
+    jobs = Parallel(n_jobs=-1, return_as="generator_unordered")(
+        delayed(_named_study)(name, names[name], samples) for name in todo
+    )
+    for name, result in tqdm(jobs, total=len(todo), desc="table1", unit="curve", disable=None):
+        checkpoint.save(name, result)
+    for name in names:
+        yield checkpoint.load(name)
+
+
+def _named_study(name: str, kind: str, samples: int) -> tuple[str, dict[str, Any]]:
+    return name, study(name, kind, samples)
+
+
+def table(results: list[dict[str, Any]]) -> pd.DataFrame:
+    """The rows of all curves, numbers rounded so that they agree across processors."""
+    rows = pd.DataFrame([row for result in results for row in result["rows"]])
+    ranks, places = MEASURES[:-1], [f"percentile_{m}" for m in MEASURES]
+    rows[ranks] = rows[ranks].astype(int)
+    rows["Var"] = rows["Var"].map("{:.3e}".format)
+    rows[places] = rows[places].astype(float).round(4)
+    return rows
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m experiments.table1", description=__doc__.split("\n")[0])
+    parser.add_argument("--samples", type=int, default=PARAMETERS["samples"], help="uniform triangulations per curve")
+    parser.add_argument(
+        "--only", nargs="+", choices=shapes(), metavar="CURVE", help="these curves alone; prints, writes nothing"
+    )
+    arguments = parser.parse_args()
+    names = shapes()
+    if arguments.only:
+        chosen = {name: names[name] for name in arguments.only}
+        print(table([study(name, kind, arguments.samples) for name, kind in chosen.items()]).to_string())
+        return
+    parameters = PARAMETERS | {"samples": arguments.samples}
+    checkpoint = Checkpoint("table1", parameters)
+    results = list(compute(names, arguments.samples, checkpoint))
+    write_csv(RESULTS / "table1.csv", table(results))
+    histograms = {name: value for result in results for name, value in result["histograms"].items()}
+    write_json(RESULTS / "table1.json", {"parameters": parameters, "uniform": histograms})
+    write_csv(RESULTS / "table1_paper.csv", pd.DataFrame(PAPER))
+    checkpoint.clear()
+    print(f"table1: {len(names)} curves -> results/table1.csv, results/table1.json")
+
+
+if __name__ == "__main__":
+    main()
