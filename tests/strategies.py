@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 import oracle
 from hypothesis import strategies as st
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tween import Triangulation
 from tween.gallery import random_disk
@@ -56,6 +56,12 @@ def generic_polygons(low: int = 3, high: int = 12) -> st.SearchStrategy[Points]:
     return _lists(unit_doubles, low, high).filter(oracle.is_polygon)
 
 
+def short_polygons(low: int = 3, high: int = 12) -> st.SearchStrategy[Points]:
+    """Doubles with some bits to spare, so that midpoints are exact."""
+    short = st.floats(2.0**-10, 1, width=32)
+    return _lists(st.one_of(short, short.map(lambda x: -x)), low, high).filter(oracle.is_polygon)
+
+
 def mirror_polygons(high: int = 6) -> st.SearchStrategy[Points]:
     """Exactly mirror-symmetric: cocircular quadruples abound."""
     return (
@@ -94,12 +100,18 @@ def disks(low: int = 3, high: int = 40) -> st.SearchStrategy[Triangulation]:
 # Large samples
 
 
+def strip(angles: NDArray[np.float64], inner: ArrayLike, outer: ArrayLike) -> NDArray[np.float64]:
+    """Return the polygon that leads around the origin at the outer radii, and back at the inner ones."""
+    rays = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return np.concatenate([rays * np.reshape(outer, (-1, 1)), (rays * np.reshape(inner, (-1, 1)))[::-1]])
+
+
 def random_polygons(kind: str, count: int, seed: int) -> Iterator[NDArray[np.float64]]:
     """Yield polygons of 4 to 10 vertices.
 
     "scatter": independent points; "winding": points around the origin, 1 to 3 times, seldom backwards;
     "grid": integers 0 to 3, so that places are visited twice and edges touch; "disk": boundaries of
-    immersed disks.
+    immersed disks; "strip": `strip`, about a full turn, so that many overlap themselves.
     """
     rng = np.random.default_rng(seed)
     while count:
@@ -111,6 +123,9 @@ def random_polygons(kind: str, count: int, seed: int) -> Iterator[NDArray[np.flo
             points = rng.uniform(0.2, 1, (n, 1)) * np.stack([np.cos(angles), np.sin(angles)], axis=1)
         elif kind == "grid":
             points = rng.integers(0, 4, (n, 2)).astype(np.float64)
+        elif kind == "strip":
+            angles = np.cumsum(np.radians(rng.uniform(80, 110, 5)))
+            points = strip(angles, rng.uniform(0.2, 0.8, 5), rng.uniform(0.8, 1.6, 5))
         else:
             points = random_disk(n, rng).points
         if oracle.is_polygon(points):
