@@ -8,7 +8,7 @@ import heapq
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 import shapely
@@ -178,7 +178,7 @@ class Curve:
         return f"Curve({len(self)} vertices, turning number {self.turning_number})"
 
 
-def as_curve(curve: "Curve | ArrayLike") -> Curve:
+def as_curve(curve: Any) -> Curve:
     """Return the curve itself, or the `Curve` with the given points.
 
     Parameters

@@ -11,19 +11,27 @@ P. W. Shor and C. J. Van Wyk, *Detecting and decomposing self-overlapping curves
 Geometry 2 (1992) 31-50.
 """
 
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import mul
 from typing import Literal, NamedTuple, overload
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from tween.curve import Curve, as_curve
 from tween.errors import CurveError, NotSelfOverlappingError, TweenError
-from tween.predicates import turn
+from tween.table import (
+    best_splits,
+    count_in_floats,
+    draw,
+    find_pair,
+    find_pairs,
+    follow,
+    list_splits,
+    needed_pairs,
+    walk,
+)
 from tween.triangulation import Triangulation
 
 _MOST_SPLITS = 2**29
@@ -42,8 +50,8 @@ class Decomposition:
         self._points = np.stack([c.points for c in curves])
         self._reason = _turning_reason(self._curves)
         if not self._reason:
-            self._first, self._last, self._ends = _table(self._points)
-            if not _holds(self._first, self._last, self._ends, 0, self._n - 1):
+            self._first, self._last, self._ends = find_pairs(self._points)
+            if find_pair(self._first, self._last, self._ends, 0, self._n - 1) < 0:
                 every = f" is valid in all {len(curves)} curves" if len(curves) > 1 else " exists"
                 self._reason = "no decomposition" + every
 
@@ -108,7 +116,7 @@ class Decomposition:
         [[0, 1, 3], [1, 2, 3]]
         """
         self._require()
-        return self._triangulation(_walk(self._points, self._first, self._last, self._ends, self._n, split == "last"))
+        return self._triangulation(walk(self._points, self._first, self._last, self._ends, self._n, split == "last"))
 
     @overload
     def sample(self, rng: np.random.Generator) -> Triangulation: ...
@@ -150,11 +158,69 @@ class Decomposition:
         uniforms = rng.random((1 if size is None else size, self._n - 2))
         mantissas, exponents = self._weights
         graph = self._graph
-        drawn = _sample(
+        drawn = draw(
             graph.whole, graph.first, graph.apex, graph.left, graph.right, graph.ends, mantissas, exponents, uniforms
         )
         triangulations = [self._triangulation(triangles) for triangles in drawn]
         return triangulations[0] if size is None else triangulations
+
+    def optimal(
+        self, cost: Callable[[NDArray[np.int64]], NDArray[np.float64]], combine: Literal["sum", "max"] = "sum"
+    ) -> Triangulation:
+        """Find the triangulation of least cost among all.
+
+        Parameters
+        ----------
+        cost : callable
+            From triangles, an (m, 3) array of vertices i < k < j, to their costs, shape (m,).  It is called
+            once, with every triangle that some triangulation contains.
+        combine : {"sum", "max"}
+            Whether the costs of the triangles add up, or the largest counts.
+
+        Returns
+        -------
+        Triangulation
+            Of equally good splits of a pair the one of smallest apex is taken.
+
+        Raises
+        ------
+        NotSelfOverlappingError
+            Where there is no triangulation; the message is `reason`.
+        ValueError
+            Where the costs are not m numbers, or `combine` is unknown.
+
+        Notes
+        -----
+        Exact: the same table with costs in the place of counts.  The paper holds choosing the best
+        triangulation to be "of exponential complexity and hence prohibitively expensive"; for a cost that
+        is a sum or a maximum over triangles it is O(n**3) at worst.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> points = np.array([[0, 0], [2, -1], [4, 0], [2, 1]])
+        >>> d = decompose(points)
+        >>> def diameter(triangles):
+        ...     corners = points[triangles]
+        ...     return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+        >>> d.optimal(diameter, "max").diagonals.tolist()
+        [[1, 3]]
+
+        References
+        ----------
+        Mukherjee and Gopi, Section 3: the claim.
+        """
+        self._require()
+        if combine not in ("sum", "max"):
+            raise ValueError(f"combine is {combine!r}, expected 'sum' or 'max'")
+        graph = self._graph
+        of_pair = graph.ends[np.repeat(np.arange(graph.pairs), np.diff(graph.first))]
+        triangles = np.stack([of_pair[:, 0], graph.apex, of_pair[:, 1]], axis=1).astype(np.int64)
+        costs = np.asarray(cost(triangles), dtype=np.float64)
+        if costs.shape != (len(triangles),) or np.isnan(costs).any():
+            raise ValueError(f"cost gave shape {costs.shape}, expected {len(triangles)} numbers, none of them NaN")
+        best = best_splits(graph.first, graph.left, graph.right, costs, combine == "max")
+        return self._triangulation(follow(graph.whole, graph.left, graph.right, best, triangles, self._n - 2))
 
     def _require(self) -> None:
         if not self:
@@ -169,16 +235,16 @@ class Decomposition:
         start = np.repeat(np.arange(self._n), self._last - self._first)
         start = start[np.argsort(np.repeat(self._first, self._last - self._first), kind="stable")]
         ends = np.stack([start, self._ends], axis=1).astype(np.int32)
-        needed, total = _needed(self._points, self._first, self._last, self._ends, ends)
+        needed, total = needed_pairs(self._points, self._first, self._last, self._ends, ends)
         if total > _MOST_SPLITS:
             raise TweenError(f"{total} splits would take {total * 12 / 2**30:.0f} GiB: too many to count or sample")
-        first, apex, left, right = _splits(self._points, self._first, self._last, self._ends, ends, needed, total)
-        return _Graph(ends, first, apex, left, right, _find(self._first, self._last, self._ends, 0, self._n - 1))
+        first, apex, left, right = list_splits(self._points, self._first, self._last, self._ends, ends, needed, total)
+        return _Graph(ends, first, apex, left, right, find_pair(self._first, self._last, self._ends, 0, self._n - 1))
 
     @cached_property
     def _weights(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         graph = self._graph
-        return _count_in_floats(graph.first, graph.left, graph.right)
+        return count_in_floats(graph.first, graph.left, graph.right)
 
 
 class _Graph(NamedTuple):
@@ -251,166 +317,3 @@ def _turning_reason(curves: Sequence[Curve]) -> str:
             which = f" of curve {number}" if len(curves) > 1 else ""
             return f"turning number{which} is {curve.turning_number}, not 1"
     return ""
-
-
-@njit(cache=True)
-def _left_turn(points, i, k, j):
-    """Whether i, k, j is a left turn in every curve."""
-    for c in range(points.shape[0]):
-        if turn(points[c], i, k, j) <= 0:
-            return False
-    return True
-
-
-@njit(cache=True)
-def _table(points):
-    """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first."""
-    n = points.shape[1]
-    first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
-    ends = np.empty(8 * n, np.int32)
-    size = 0
-    holds_for = np.full(n, -1, np.int64)
-    for i in range(n - 2, -1, -1):
-        first[i] = size
-        holds_for[i + 1] = i
-        farthest = i + 1
-        for k in range(i + 1, n):
-            if k > farthest:
-                break
-            if holds_for[k] != i:
-                continue
-            if size == ends.size:
-                ends = np.concatenate((ends, np.empty_like(ends)))
-            ends[size] = k
-            size += 1
-            for place in range(first[k], last[k]):
-                j = ends[place]
-                if holds_for[j] != i and _left_turn(points, i, k, j):
-                    holds_for[j] = i
-                    farthest = max(farthest, j)
-        last[i] = size
-    return first, last, ends[:size].copy()
-
-
-@njit(cache=True)
-def _find(first, last, ends, i, j):
-    """The place of pair (i, j) in the table, -1 where it does not hold."""
-    low, high = first[i], last[i]
-    while low < high:
-        middle = (low + high) // 2
-        if ends[middle] < j:
-            low = middle + 1
-        else:
-            high = middle
-    return low if low < last[i] and ends[low] == j else -1
-
-
-def _holds(first, last, ends, i, j):
-    return _find(first, last, ends, i, j) >= 0
-
-
-@njit(cache=True)
-def _walk(points, first, last, ends, n, take_last):
-    """The triangulation that takes the first (or last) split everywhere."""
-    triangles = np.empty((n - 2, 3), np.int64)
-    stack = [(np.int64(0), np.int64(n - 1))]
-    for t in range(n - 2):
-        i, j = stack.pop()
-        while j == i + 1:
-            i, j = stack.pop()
-        low, high = first[i], last[i]
-        for step in range(high - low):
-            k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
-            if k < j and _find(first, last, ends, k, j) >= 0 and _left_turn(points, i, k, j):
-                break
-        triangles[t] = i, k, j
-        stack.append((k, j))
-        stack.append((i, k))
-    return triangles
-
-
-@njit(cache=True)
-def _needed(points, first, last, ends, pairs):
-    """Mark the pairs that a triangulation of the whole curve can need, parents before children."""
-    n = points.shape[1]
-    needed = np.zeros(len(pairs), np.bool_)
-    needed[_find(first, last, ends, 0, n - 1)] = True
-    total = 0
-    for pair in range(len(pairs) - 1, -1, -1):
-        i, j = pairs[pair]
-        if not needed[pair]:
-            continue
-        for left in range(first[i], pair):
-            k = ends[left]
-            right = _find(first, last, ends, k, j)
-            if right >= 0 and _left_turn(points, i, k, j):
-                needed[left] = needed[right] = True
-                total += 1
-    return needed, total
-
-
-@njit(cache=True)
-def _splits(points, first, last, ends, pairs, needed, total):
-    """List the splits of every needed pair, by ascending apex."""
-    splits = np.zeros(len(pairs) + 1, np.int64)
-    apex, lefts, rights = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.int32)
-    size = 0
-    for pair in range(len(pairs)):
-        i, j = pairs[pair]
-        if needed[pair]:
-            for left in range(first[i], pair):
-                k = ends[left]
-                right = _find(first, last, ends, k, j)
-                if right >= 0 and _left_turn(points, i, k, j):
-                    apex[size], lefts[size], rights[size] = k, left, right
-                    size += 1
-        splits[pair + 1] = size
-    return splits, apex, lefts, rights
-
-
-@njit(cache=True)
-def _count_in_floats(first, left, right):
-    """Count the triangulations of every pair as mantissa * 2**exponent."""
-    pairs = first.size - 1
-    mantissas, exponents = np.full(pairs, 0.5), np.ones(pairs, np.int64)
-    for pair in range(pairs):
-        low, high = first[pair], first[pair + 1]
-        if low == high:
-            continue
-        top = exponents[left[low]] + exponents[right[low]]
-        for s in range(low + 1, high):
-            top = max(top, exponents[left[s]] + exponents[right[s]])
-        total = 0.0
-        for s in range(low, high):
-            shift = exponents[left[s]] + exponents[right[s]] - top
-            total += math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
-        mantissas[pair], shift = math.frexp(total)
-        exponents[pair] = top + shift
-    return mantissas, exponents
-
-
-@njit(cache=True)
-def _sample(whole, first, apex, left, right, ends, mantissas, exponents, uniforms):
-    """Walk down from the whole curve once for every row of uniform numbers, one number a triangle."""
-    samples, triangles_each = uniforms.shape
-    triangles = np.empty((samples, triangles_each, 3), np.int64)
-    stack = np.empty(2 * triangles_each + 2, np.int64)
-    for row in range(samples):
-        stack[0], size, t = whole, 1, 0
-        while size > 0:
-            size -= 1
-            pair = stack[size]
-            if first[pair] == first[pair + 1]:
-                continue
-            rest = uniforms[row, t] * mantissas[pair]
-            s = first[pair]
-            for s in range(first[pair], first[pair + 1]):
-                shift = exponents[left[s]] + exponents[right[s]] - exponents[pair]
-                rest -= math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
-                if rest < 0.0:
-                    break
-            triangles[row, t] = ends[pair, 0], apex[s], ends[pair, 1]
-            t += 1
-            stack[size], stack[size + 1] = right[s], left[s]
-            size += 2
-    return triangles

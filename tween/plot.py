@@ -7,17 +7,21 @@ stands for one idea everywhere:
     TARGET   the second shape        PIVOT    pivots, roots          FAILURE  what is wrong
 """
 
+import pathlib
 from collections.abc import Sequence
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+import shapely
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 from numpy.typing import ArrayLike, NDArray
 
-from tween.curve import Curve
-from tween.morph import Morph, triangulate
+from tween.curve import Curve, as_curve
+from tween.dual import hops, smallest_triangle
+from tween.morph import Morph
 from tween.triangulation import Triangulation
 
 SOURCE, TARGET, TREE, PIVOT, RANDOM, FAILURE = "#0072B2", "#E69F00", "#009E73", "#AA3377", "0.55", "#D1261B"
@@ -31,13 +35,13 @@ def use_style() -> None:
     --------
     >>> use_style()
     """
-    plt.style.use(Path(__file__).with_name("tween.mplstyle"))
+    plt.style.use(pathlib.Path(__file__).with_name("tween.mplstyle"))
 
 
 def draw_shape(
     shape: Triangulation | Curve | ArrayLike, ax: Axes | None = None, color: str = SOURCE, alpha: float = 0.35
 ) -> Axes:
-    """Draw an immersed disk, its overlaps darker, with its boundary.
+    """Draw a curve, filled the darker the more often it winds about a place.
 
     Parameters
     ----------
@@ -45,7 +49,7 @@ def draw_shape(
     ax : Axes, optional
     color : colour
     alpha : float
-        Opacity of one layer of the disk.
+        Opacity of one layer.
 
     Returns
     -------
@@ -57,10 +61,36 @@ def draw_shape(
     >>> ax = draw_shape(gallery.curve("horseshoe"))
     """
     ax = _axes(ax)
-    T = triangulate(shape)
-    _fill(ax, T.points[T.triangles], color, alpha)
-    ax.add_collection(LineCollection([_closed(T.points)], colors=color, linewidths=1.2, capstyle="round"))
+    points = as_curve(shape).points
+    for face in shapely.polygonize([shapely.unary_union(shapely.linearrings(points))]).geoms:
+        layers = abs(winding_number(points, np.array(face.representative_point().coords[0])))
+        outline = Path.make_compound_path(*(Path(np.array(r.coords)) for r in (face.exterior, *face.interiors)))
+        ax.add_patch(PathPatch(outline, facecolor=color, alpha=1 - (1 - alpha) ** layers, linewidth=0))
+    ax.add_collection(LineCollection([_closed(points)], colors=color, linewidths=1.2, capstyle="round"))
     return _frame(ax)
+
+
+def winding_number(points: NDArray[np.float64], place: NDArray[np.float64]) -> int:
+    """Count how often a curve winds about a place that is not on it, for pictures.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+    place : ndarray of float64, shape (2,)
+
+    Returns
+    -------
+    int
+
+    Examples
+    --------
+    >>> winding_number(np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), np.array([0.5, 0.5]))
+    1
+    """
+    a = points - place
+    b = np.roll(a, -1, axis=0)
+    angles = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
+    return round(float(angles.sum()) / (2 * np.pi))
 
 
 def draw_triangulation(
@@ -90,7 +120,7 @@ def draw_triangulation(
 
 
 def identity_colors(T: Triangulation) -> NDArray[np.float64]:
-    """Give each triangle the colour of its place along the curve, the same in every frame.
+    """Give each triangle the colour of its place along the longest path of the dual tree.
 
     Parameters
     ----------
@@ -105,8 +135,10 @@ def identity_colors(T: Triangulation) -> NDArray[np.float64]:
     >>> identity_colors(Triangulation([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])).shape
     (1, 4)
     """
-    place = np.sort(T.triangles, axis=1)[:, 1] / len(T)
-    return np.asarray(plt.get_cmap("turbo")(0.08 + 0.84 * place))
+    one_end = int(np.argmax(hops(T, 0)))
+    other_end = int(np.argmax(hops(T, one_end)))
+    along = hops(T, smallest_triangle(T, np.array([one_end, other_end])))
+    return np.asarray(plt.get_cmap("turbo")(0.08 + 0.84 * along / max(1, along.max())))
 
 
 def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, simplified: bool = False) -> Axes:
@@ -173,15 +205,17 @@ def draw_filmstrip(
     ax = _axes(ax)
     shapes = m.at(times)
     low, high = shapes.min(axis=1), shapes.max(axis=1)
-    width, height = (high - low).max(axis=0)
-    gap = 0.12 * width
-    for i, (t, shape) in enumerate(zip(times, shapes, strict=True)):
-        place = np.array([i * (width + gap), 0.0])
-        _draw(ax, shape - (low[i] + high[i]) / 2 + place, m.triangles_at(t), identity_colors(m.source), 0.35)
-        if labels:
-            ax.text(float(place[0]), -0.5 * height - gap, f"t = {t:.2g}", ha="center", va="top", fontsize=8)
+    widths, heights = (high - low).T
+    gap = 0.12 * widths.max()
+    lefts = np.cumsum(widths + gap) - widths
+    for t, shape, corner, left, height in zip(times, shapes, low, lefts, heights, strict=True):
+        place = shape - corner + [left, -0.5 * height]
+        _draw(ax, place, m.triangles_at(t), identity_colors(m.source), 0.35)
     if labels:
-        ax.set_ylim(-0.5 * height - 0.32 * width, 0.5 * height + 0.05 * width)
+        for t, left, width in zip(times, lefts, widths, strict=True):
+            middle, below = float(left + width / 2), float(-0.55 * heights.max())
+            ax.text(middle, below, f"t = {t:.2g}", ha="center", va="top", fontsize=8)
+        ax.set_ylim(bottom=-0.55 * heights.max() - 0.16 * heights.max())
     return ax
 
 
@@ -208,7 +242,7 @@ def _draw(
     corners = points[triangles]
     _fill(ax, corners, colors, alpha)
     edges = np.concatenate([corners, corners[:, :1]], axis=1)
-    ax.add_collection(LineCollection(list(edges), colors=EDGE, linewidths=0.35))
+    ax.add_collection(LineCollection(list(edges), colors=EDGE, linewidths=0.3, alpha=0.6))
     ax.add_collection(LineCollection([_closed(points)], colors=INK, linewidths=1.0, capstyle="round"))
     return _frame(ax)
 

@@ -1,0 +1,310 @@
+"""Vertex correspondence by pivot triangle matching (Section 6.1), and common triangulations.
+
+Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift`` as in
+`tween.compatible_shift`: vertex i of the source is vertex ``(i + shift) mod n`` of the target.
+"""
+
+import heapq
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tween.curve import Curve, as_curve
+from tween.decomposition import decompose
+from tween.errors import IncompatibleError
+from tween.morph import triangulate
+from tween.sequence import count_crossings, crossings_by_shift
+from tween.triangulation import Triangulation
+
+Shifts = Literal["pivots", "all"] | int
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """Two shapes brought to the same numbers: vertex i of one corresponds to vertex i of the other.
+
+    Attributes
+    ----------
+    source, target : Triangulation
+        With equally many vertices; the target renumbered.
+    shift : int
+        Vertex i was vertex ``(i + shift) mod n`` of the target before, inserted vertices counted.
+    source_vertices, target_vertices : ndarray of int, shape (n,)
+        Which vertex of the input each vertex is; -1 where it was inserted.
+    source_spine, target_spine : ndarray of int
+        Triangles along the spines, from end to end.
+    pivot : int or None
+        The vertex at which the pivot triangles meet; None where none was used.
+    crossings : int
+        Between the two triangulations; 0 where they are the same.
+    """
+
+    source: Triangulation
+    target: Triangulation
+    shift: int
+    source_vertices: NDArray[np.int64]
+    target_vertices: NDArray[np.int64]
+    source_spine: NDArray[np.int64]
+    target_spine: NDArray[np.int64]
+    pivot: int | None
+    crossings: int
+
+
+def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
+    """Bring two shapes to equal numbers of vertices and match them.
+
+    Parameters
+    ----------
+    source, target : Triangulation, Curve or array_like of shape (n, 2)
+        Vertices are inserted on the one with fewer (`Curve.insert_vertices`: longest edges first), so that
+        its shape stays.  A curve stands for its constrained Delaunay triangulation; so does a
+        triangulation that has to take up vertices.
+    shifts : {"pivots", "all"} or int
+        "pivots": match an end of one spine with an end of the other.  The paper says "choose one" of
+        the two ends; of the four pairings we take the one whose triangulations cross least, the
+        first of equally good ones.  "all": of all n renumberings take the one with a triangulation
+        that is valid in both curves and distorts least, and return that triangulation.  A number:
+        that very renumbering.
+
+    Returns
+    -------
+    Alignment
+
+    Raises
+    ------
+    NotSelfOverlappingError
+        Where a curve bounds no immersed disk.
+    IncompatibleError
+        For "all", where no renumbering allows a common triangulation.
+
+    Notes
+    -----
+    "pivots" costs O(n**2) for the crossings; "all" a joint table for each of n renumberings.
+
+    Examples
+    --------
+    >>> from tween import gallery
+    >>> a = align(gallery.curve("ell"), gallery.curve("spiral_1"))
+    >>> len(a.source) == len(a.target), a.pivot in a.source.triangles[a.source_spine[[0, -1]]]
+    (True, True)
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.1.
+    """
+    first, second, first_origin, second_origin = _equal_counts(source, target)
+    n = len(first)
+    if shifts == "all":
+        shift, first, common = _least_distorted(first, second, range(n))
+        second, pivot = Triangulation(second.points, (common + shift) % n), None
+    elif shifts == "pivots":
+        shift, pivot = _match_pivots(first, second)
+    else:
+        shift, pivot = int(shifts) % n, None
+    moved = second.rolled(shift)
+    return Alignment(
+        first,
+        moved,
+        shift,
+        first_origin,
+        np.roll(second_origin, -shift),
+        spine(first),
+        spine(moved),
+        pivot,
+        count_crossings(first, moved),
+    )
+
+
+def spine(T: Triangulation) -> NDArray[np.int64]:
+    """Find the spine: what is left of the dual tree when its short branches are pruned.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    ndarray of int, shape (k,)
+        Triangles from one end to the other; the end with the smaller corners comes first.
+
+    Notes
+    -----
+    While there are more than two leaves, the leaf fewest hops from an internal node (one of three
+    neighbours) goes, with its path to that node; of several the one with the smaller sorted corners.
+    The distances of the leaves that remain only grow, so a heap of lower bounds finds the next one;
+    O(n log n).
+
+    Examples
+    --------
+    >>> hexagon = [[2, 0], [1, 2], [-1, 2], [-2, 0], [-1, -2], [1, -2]]
+    >>> spine(Triangulation(hexagon, [[0, 1, 2], [0, 2, 4], [2, 3, 4], [0, 4, 5]])).tolist()
+    [3, 1, 2]
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.1.
+    """
+    neighbours = _neighbours(T)
+    corners = [sorted(t) for t in T.triangles.tolist()]
+    leaves = [t for t, near in enumerate(neighbours) if len(near) == 1]
+    heap = [(0, corners[leaf], leaf, leaf, -1) for leaf in leaves]
+    heapq.heapify(heap)
+    remaining = len(leaves)
+    while remaining > 2:
+        hops, key, leaf, node, before = heapq.heappop(heap)
+        if len(neighbours[node]) < 3:
+            after = next(iter(neighbours[node] - {before}))
+            heapq.heappush(heap, (hops + 1, key, leaf, after, node))
+        else:
+            neighbours[node].discard(before)
+            neighbours[before].discard(node)
+            remaining -= 1
+    ends = sorted((heap[0][2], heap[1][2]), key=corners.__getitem__) if len(heap) > 1 else [0]
+    return np.array(_path(neighbours, ends[0]), dtype=np.int64)
+
+
+def pivot_vertex(T: Triangulation, t: int) -> int:
+    """Find the vertex of an end of the spine that its neighbouring triangle does not share.
+
+    Parameters
+    ----------
+    T : Triangulation
+    t : int
+        A triangle with one neighbour.
+
+    Returns
+    -------
+    int
+        The vertex opposite its diagonal; of a lone triangle the smallest vertex.
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.1.
+    """
+    slots = np.flatnonzero(T.twin[t] >= 0)
+    return int(T.triangles[t, (slots[0] + 2) % 3]) if len(slots) else int(T.triangles[t].min())
+
+
+def distortion(
+    source: NDArray[np.float64], target: NDArray[np.float64]
+) -> Callable[[NDArray[np.int64]], NDArray[np.float64]]:
+    """Make the cost of mapping triangles of one shape to those of another, for `Decomposition.optimal`.
+
+    Parameters
+    ----------
+    source, target : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    callable
+        From triangles, shape (m, 3), to the symmetric Dirichlet energy of the affine maps between them,
+        shape (m,): the energy of the map integrated over the source plus that of its inverse over the target,
+        both shapes scaled to area 1.  Never below twice the sum of the two areas; exchanging source and
+        target changes nothing.
+    """
+    first, second = (p / np.sqrt(Curve(p).area) for p in (source, target))
+
+    def cost(triangles: NDArray[np.int64]) -> NDArray[np.float64]:
+        there, back = _edges(first[triangles]), _edges(second[triangles])
+        return _dirichlet(there, back) + _dirichlet(back, there)
+
+    return cost
+
+
+def _edges(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Edge opposite each corner, (m, 3, 2)."""
+    return np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
+
+
+def _dirichlet(edges: NDArray[np.float64], images: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Energy of the affine map that sends edges to images: half the sum of cot(angle) * |opposite image|**2."""
+    u, v = edges[:, 1], edges[:, 2]
+    twice_area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    dots = -(np.roll(edges, -1, axis=1) * np.roll(edges, 1, axis=1)).sum(axis=2)
+    with np.errstate(over="ignore"):
+        energy: NDArray[np.float64] = 0.5 * (dots * (images**2).sum(axis=2)).sum(axis=1) / twice_area
+    return energy
+
+
+def _equal_counts(
+    source: Any, target: Any
+) -> tuple[Triangulation, Triangulation, NDArray[np.int64], NDArray[np.int64]]:
+    """Triangulate both with as many vertices as the larger has, and tell where they come from."""
+    count = max(len(as_curve(source)), len(as_curve(target)))
+    shapes, origins = [], []
+    for shape in (source, target):
+        n = len(as_curve(shape))
+        if n == count:
+            shapes.append(triangulate(shape))
+            origins.append(np.arange(n))
+        else:
+            plain = Curve(as_curve(shape).points)
+            filled = plain.insert_vertices(count)
+            triangulate(plain)
+            shapes.append(triangulate(filled))
+            origins.append(filled.origin.astype(np.int64))
+    return shapes[0], shapes[1], origins[0], origins[1]
+
+
+def _match_pivots(first: Triangulation, second: Triangulation) -> tuple[int, int]:
+    """Of the four pairings of ends the (shift, pivot) with fewest crossings."""
+    sources, targets = ([pivot_vertex(T, t) for t in spine(T)[[0, -1]]] for T in (first, second))
+    pairs = [(i, j) for i in sources for j in targets]
+    shifts = np.array([(j - i) % len(first) for i, j in pairs])
+    best = int(np.argmin(crossings_by_shift(first, second, shifts)))
+    return int(shifts[best]), pairs[best][0]
+
+
+def common(first: Triangulation, second: Triangulation) -> Triangulation | None:
+    """Find the least distorting triangulation that is valid in two shapes as they are numbered.
+
+    Parameters
+    ----------
+    first, second : Triangulation
+        With equally many vertices.
+
+    Returns
+    -------
+    Triangulation or None
+        Of the first shape; None where none is valid in both.
+    """
+    both = decompose(first.curve, second.curve)
+    return both.optimal(distortion(first.points, second.points)) if both else None
+
+
+def _least_distorted(
+    first: Triangulation, second: Triangulation, shifts: Any
+) -> tuple[int, Triangulation, NDArray[np.int64]]:
+    """Over renumberings, the common triangulation of least distortion: (shift, of the first, triangles)."""
+    best = None
+    for shift in shifts:
+        points = np.roll(second.points, -shift, axis=0)
+        found = common(first, Triangulation(points, first.triangles))
+        if found is not None:
+            cost = float(distortion(first.points, points)(found.triangles).sum())
+            if best is None or cost < best[0]:
+                best = (cost, shift, found)
+    if best is None:
+        raise IncompatibleError(
+            "the curves have no common triangulation under any renumbering; align them with shifts='pivots'"
+        )
+    return best[1], best[2], best[2].triangles
+
+
+def _neighbours(T: Triangulation) -> list[set[int]]:
+    near: list[set[int]] = [set() for _ in range(len(T.triangles))]
+    for s, t in T.dual.tolist():
+        near[s].add(t)
+        near[t].add(s)
+    return near
+
+
+def _path(neighbours: list[set[int]], start: int) -> list[int]:
+    path, before = [start], -1
+    while after := neighbours[path[-1]] - {before}:
+        before = path[-1]
+        path.append(next(iter(after)))
+    return path

@@ -1,0 +1,206 @@
+"""Compiled kernels of the table of Shor and Van Wyk and of the walks through it.
+
+The table keeps, for every vertex i, the list of j for which the pair (i, j) holds, see
+`tween.decomposition` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+from tween.predicates import turn
+
+
+@njit(cache=True)
+def _left_turn(points, i, k, j):
+    """Whether i, k, j is a left turn in every curve."""
+    for c in range(points.shape[0]):
+        if turn(points[c], i, k, j) <= 0:
+            return False
+    return True
+
+
+@njit(cache=True)
+def find_pairs(points):
+    """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first."""
+    n = points.shape[1]
+    first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
+    ends = np.empty(8 * n, np.int32)
+    size = 0
+    holds_for = np.full(n, -1, np.int64)
+    for i in range(n - 2, -1, -1):
+        first[i] = size
+        holds_for[i + 1] = i
+        farthest = i + 1
+        for k in range(i + 1, n):
+            if k > farthest:
+                break
+            if holds_for[k] != i:
+                continue
+            if size == ends.size:
+                ends = np.concatenate((ends, np.empty_like(ends)))
+            ends[size] = k
+            size += 1
+            for place in range(first[k], last[k]):
+                j = ends[place]
+                if holds_for[j] != i and _left_turn(points, i, k, j):
+                    holds_for[j] = i
+                    farthest = max(farthest, j)
+        last[i] = size
+    return first, last, ends[:size].copy()
+
+
+@njit(cache=True)
+def find_pair(first, last, ends, i, j):
+    """The place of pair (i, j) in the table, -1 where it does not hold."""
+    low, high = first[i], last[i]
+    while low < high:
+        middle = (low + high) // 2
+        if ends[middle] < j:
+            low = middle + 1
+        else:
+            high = middle
+    return low if low < last[i] and ends[low] == j else -1
+
+
+@njit(cache=True)
+def walk(points, first, last, ends, n, take_last):
+    """The triangulation that takes the first (or last) split everywhere."""
+    triangles = np.empty((n - 2, 3), np.int64)
+    stack = [(np.int64(0), np.int64(n - 1))]
+    for t in range(n - 2):
+        i, j = stack.pop()
+        while j == i + 1:
+            i, j = stack.pop()
+        low, high = first[i], last[i]
+        for step in range(high - low):
+            k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
+            if k < j and find_pair(first, last, ends, k, j) >= 0 and _left_turn(points, i, k, j):
+                break
+        triangles[t] = i, k, j
+        stack.append((k, j))
+        stack.append((i, k))
+    return triangles
+
+
+@njit(cache=True)
+def needed_pairs(points, first, last, ends, pairs):
+    """Mark the pairs that a triangulation of the whole curve can need, parents before children."""
+    n = points.shape[1]
+    needed = np.zeros(len(pairs), np.bool_)
+    needed[find_pair(first, last, ends, 0, n - 1)] = True
+    total = 0
+    for pair in range(len(pairs) - 1, -1, -1):
+        i, j = pairs[pair]
+        if not needed[pair]:
+            continue
+        for left in range(first[i], pair):
+            k = ends[left]
+            right = find_pair(first, last, ends, k, j)
+            if right >= 0 and _left_turn(points, i, k, j):
+                needed[left] = needed[right] = True
+                total += 1
+    return needed, total
+
+
+@njit(cache=True)
+def list_splits(points, first, last, ends, pairs, needed, total):
+    """List the splits of every needed pair, by ascending apex."""
+    splits = np.zeros(len(pairs) + 1, np.int64)
+    apex, lefts, rights = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.int32)
+    size = 0
+    for pair in range(len(pairs)):
+        i, j = pairs[pair]
+        if needed[pair]:
+            for left in range(first[i], pair):
+                k = ends[left]
+                right = find_pair(first, last, ends, k, j)
+                if right >= 0 and _left_turn(points, i, k, j):
+                    apex[size], lefts[size], rights[size] = k, left, right
+                    size += 1
+        splits[pair + 1] = size
+    return splits, apex, lefts, rights
+
+
+@njit(cache=True)
+def count_in_floats(first, left, right):
+    """Count the triangulations of every pair as mantissa * 2**exponent."""
+    pairs = first.size - 1
+    mantissas, exponents = np.full(pairs, 0.5), np.ones(pairs, np.int64)
+    for pair in range(pairs):
+        low, high = first[pair], first[pair + 1]
+        if low == high:
+            continue
+        top = exponents[left[low]] + exponents[right[low]]
+        for s in range(low + 1, high):
+            top = max(top, exponents[left[s]] + exponents[right[s]])
+        total = 0.0
+        for s in range(low, high):
+            shift = exponents[left[s]] + exponents[right[s]] - top
+            total += math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
+        mantissas[pair], shift = math.frexp(total)
+        exponents[pair] = top + shift
+    return mantissas, exponents
+
+
+@njit(cache=True)
+def draw(whole, first, apex, left, right, ends, mantissas, exponents, uniforms):
+    """Walk down from the whole curve once for every row of uniform numbers, one number a triangle."""
+    samples, triangles_each = uniforms.shape
+    triangles = np.empty((samples, triangles_each, 3), np.int64)
+    stack = np.empty(2 * triangles_each + 2, np.int64)
+    for row in range(samples):
+        stack[0], size, t = whole, 1, 0
+        while size > 0:
+            size -= 1
+            pair = stack[size]
+            if first[pair] == first[pair + 1]:
+                continue
+            rest = uniforms[row, t] * mantissas[pair]
+            s = first[pair]
+            for s in range(first[pair], first[pair + 1]):
+                shift = exponents[left[s]] + exponents[right[s]] - exponents[pair]
+                rest -= math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
+                if rest < 0.0:
+                    break
+            triangles[row, t] = ends[pair, 0], apex[s], ends[pair, 1]
+            t += 1
+            stack[size], stack[size + 1] = right[s], left[s]
+            size += 2
+    return triangles
+
+
+@njit(cache=True)
+def best_splits(first, left, right, costs, largest_counts):
+    """The first split of least cost of every pair; -1 where it has none."""
+    pairs = first.size - 1
+    value, best = np.zeros(pairs), np.full(pairs, -1, np.int64)
+    if largest_counts:
+        value[:] = -np.inf
+    for pair in range(pairs):
+        for s in range(first[pair], first[pair + 1]):
+            if largest_counts:
+                total = max(costs[s], value[left[s]], value[right[s]])
+            else:
+                total = costs[s] + value[left[s]] + value[right[s]]
+            if best[pair] < 0 or total < value[pair]:
+                best[pair], value[pair] = s, total
+    return best
+
+
+@njit(cache=True)
+def follow(whole, left, right, best, triangles, count):
+    """The triangles of the chosen splits."""
+    chosen = np.empty((count, 3), np.int64)
+    stack = np.empty(2 * count + 2, np.int64)
+    stack[0], size, t = whole, 1, 0
+    while size > 0:
+        size -= 1
+        s = best[stack[size]]
+        if s >= 0:
+            chosen[t] = triangles[s]
+            t += 1
+            stack[size], stack[size + 1] = right[s], left[s]
+            size += 2
+    return chosen
