@@ -114,6 +114,14 @@ def test_no_other_curve_is_convex(name):
     assert (orient2d(np.roll(p, 1, axis=0), p, np.roll(p, -1, axis=0)) < 0).any()
 
 
+@pytest.mark.parametrize(("name", "turns"), [("spiral_1", 1.4), ("spiral_2", 2.2), ("winding_3", 2.6)])
+def test_a_spiral_winds_around_as_often_as_it_says(name, turns):
+    z = gallery.curve(name).points @ np.array([1, 1j])
+    m = len(z) // 2 - CAP
+    spine = (z[:m] + z[m + CAP : 2 * m + CAP][::-1]) / 2
+    assert np.angle(spine[1:] / spine[:-1]).sum() == pytest.approx(2 * np.pi * turns, abs=1e-2)
+
+
 def test_ell_has_one_reflex_corner():
     p = gallery.curve("ell").points
     a, b, c = np.roll(p, 1, axis=0), p, np.roll(p, -1, axis=0)
@@ -164,7 +172,7 @@ def test_coordinates_are_the_same_on_every_platform_and_change_only_on_purpose()
     curves = [gallery.curve(name) for name in gallery.names()] + [gallery.letter(c) for c in gallery.letters()]
     disk = gallery.random_disk(100, np.random.default_rng(0))
     units = [np.rint(shape.points / gallery.GRID).astype("<i8") for shape in [*curves, disk]]
-    assert hashlib.sha256(b"".join(u.tobytes() for u in units)).hexdigest()[:16] == "602bda381c862b28"
+    assert hashlib.sha256(b"".join(u.tobytes() for u in units)).hexdigest()[:16] == "a30ea99f4473e58a"
 
 
 # Ribbons
@@ -352,6 +360,11 @@ def test_letters_are_upright():
     assert high > 20  # the ascender
     assert gallery.letter("z").points[:, 1].min() < -10  # the tail
     assert gallery.letter("L").points[0] @ [0, 1] > 5  # the stroke starts at its top
+
+
+@pytest.mark.parametrize(("char", "height"), [("i", 6), ("j", 18), ("t", 21)])
+def test_a_letter_is_its_longest_stroke_not_its_dot_or_bar(char, height):
+    assert np.ptp(gallery.letter(char).points[:, 1]) > height
 
 
 @pytest.mark.parametrize("char", [" ", "", "ab", "ß"])

@@ -321,7 +321,7 @@ _CURVES: dict[str, tuple[str, Callable[[], _Floats]]] = {
     "comb": ("A bent comb of six teeth.", _comb),
     "ess": (
         "A strip in the shape of an S.",
-        lambda: _strip(lambda t: -2.4 * np.sin(2 * t) + 4.2j * np.sin(t), -2.2, 2.2, 44, 1.3),
+        lambda: _strip(lambda t: -2.4 * np.sin(2 * t) + 4.2j * np.sin(t), -2.2, 2.2, 44, 1.1),
     ),
     "spiral_1": ("A strip that winds around 1.4 times, clear of itself.", lambda: _spiral(1.4, 44)),
     "spiral_2": ("A strip that winds around 2.2 times, clear of itself.", lambda: _spiral(2.2, 60)),
