@@ -5,16 +5,19 @@
 After Mukherjee and Gopi, *Tweening Boundary Curves of Non-simple Immersions of a Disk*.
 """
 
+from tween.align import Alignment, align, pivot_vertex, spine
 from tween.curve import Crossings, Curve
-from tween.decomposition import Decomposition, decompose
+from tween.decomposition import Decomposition, decompose, triangulate
 from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError, TriangulationError, TweenError
 from tween.flips import flip, flippable, locally_delaunay, remesh
+from tween.gradual import Event
 from tween.metrics import area_matrix, area_rank, frame_variance
-from tween.morph import Event, Morph, morph, triangulate
+from tween.morph import Morph, morph
 from tween.predicates import incircle, orient2d
 from tween.triangulation import Triangulation, compatible_shift
 
 __all__ = [
+    "Alignment",
     "Crossings",
     "Curve",
     "CurveError",
@@ -26,6 +29,7 @@ __all__ = [
     "Triangulation",
     "TriangulationError",
     "TweenError",
+    "align",
     "area_matrix",
     "area_rank",
     "compatible_shift",
@@ -37,6 +41,8 @@ __all__ = [
     "locally_delaunay",
     "morph",
     "orient2d",
+    "pivot_vertex",
     "remesh",
+    "spine",
     "triangulate",
 ]

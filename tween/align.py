@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.curve import Curve, as_curve
-from tween.decomposition import decompose
+from tween.decomposition import decompose, triangulate
 from tween.errors import IncompatibleError
-from tween.morph import triangulate
 from tween.sequence import count_crossings, crossings_by_shift
 from tween.triangulation import Triangulation
 
@@ -51,6 +50,26 @@ class Alignment:
     target_spine: NDArray[np.int64]
     pivot: int | None
     crossings: int
+
+    def exchanged(self) -> "Alignment":
+        """Source and target exchanged, in the numbers that the target had before.
+
+        Returns
+        -------
+        Alignment
+        """
+        n, k = len(self.source), self.shift
+        return Alignment(
+            self.target.rolled(-k),
+            self.source.rolled(-k),
+            -k % n,
+            np.roll(self.target_vertices, k),
+            np.roll(self.source_vertices, k),
+            self.target_spine,
+            self.source_spine,
+            None if self.pivot is None else (self.pivot + k) % n,
+            self.crossings,
+        )
 
 
 def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
@@ -95,15 +114,44 @@ def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
     ----------
     Mukherjee and Gopi, Section 6.1.
     """
-    first, second, first_origin, second_origin = _equal_counts(source, target)
+    first, second, *origins = equal_counts(source, target)
     n = len(first)
-    if shifts == "all":
-        shift, first, common = _least_distorted(first, second, range(n))
-        second, pivot = Triangulation(second.points, (common + shift) % n), None
-    elif shifts == "pivots":
-        shift, pivot = _match_pivots(first, second)
-    else:
-        shift, pivot = int(shifts) % n, None
+    if shifts == "pivots":
+        return match(first, second, *pivot_shift(first, second), *origins)
+    if shifts != "all":
+        return match(first, second, int(shifts) % n, None, *origins)
+    found = least_distorted(first, second)
+    if found is None:
+        raise IncompatibleError(
+            f"the curves have no common triangulation under any of {n} renumberings; shifts='pivots' needs none"
+        )
+    shift, shared = found
+    return match(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, None, *origins)
+
+
+def match(
+    first: Triangulation,
+    second: Triangulation,
+    shift: int,
+    pivot: int | None,
+    first_origin: NDArray[np.int64],
+    second_origin: NDArray[np.int64],
+) -> Alignment:
+    """Renumber the second shape and say how the two then stand to each other.
+
+    Parameters
+    ----------
+    first, second : Triangulation
+        With equally many vertices.
+    shift : int
+    pivot : int or None
+    first_origin, second_origin : ndarray of int, shape (n,)
+        Which vertex of the input each vertex is.
+
+    Returns
+    -------
+    Alignment
+    """
     moved = second.rolled(shift)
     return Alignment(
         first,
@@ -229,10 +277,19 @@ def _dirichlet(edges: NDArray[np.float64], images: NDArray[np.float64]) -> NDArr
     return energy
 
 
-def _equal_counts(
-    source: Any, target: Any
-) -> tuple[Triangulation, Triangulation, NDArray[np.int64], NDArray[np.int64]]:
-    """Triangulate both with as many vertices as the larger has, and tell where they come from."""
+def equal_counts(source: Any, target: Any) -> tuple[Triangulation, Triangulation, NDArray[np.int64], NDArray[np.int64]]:
+    """Triangulate both with as many vertices as the larger has.
+
+    Parameters
+    ----------
+    source, target : Triangulation, Curve or array_like of shape (n, 2)
+
+    Returns
+    -------
+    first, second : Triangulation
+    first_origin, second_origin : ndarray of int, shape (n,)
+        Which vertex of the input each vertex is; -1 where it was inserted.
+    """
     count = max(len(as_curve(source)), len(as_curve(target)))
     shapes, origins = [], []
     for shape in (source, target):
@@ -241,16 +298,28 @@ def _equal_counts(
             shapes.append(triangulate(shape))
             origins.append(np.arange(n))
         else:
-            plain = Curve(as_curve(shape).points)
-            filled = plain.insert_vertices(count)
-            triangulate(plain)
+            filled = Curve(as_curve(shape).points).insert_vertices(count)
             shapes.append(triangulate(filled))
             origins.append(filled.origin.astype(np.int64))
     return shapes[0], shapes[1], origins[0], origins[1]
 
 
-def _match_pivots(first: Triangulation, second: Triangulation) -> tuple[int, int]:
-    """Of the four pairings of ends the (shift, pivot) with fewest crossings."""
+def pivot_shift(first: Triangulation, second: Triangulation) -> tuple[int, int]:
+    """Choose, of the four pairings of the spines' ends, the one with fewest crossings.
+
+    Parameters
+    ----------
+    first, second : Triangulation
+
+    Returns
+    -------
+    shift, pivot : int
+        The pivot is a vertex of the first shape.
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.1.
+    """
     sources, targets = ([pivot_vertex(T, t) for t in spine(T)[[0, -1]]] for T in (first, second))
     pairs = [(i, j) for i in sources for j in targets]
     shifts = np.array([(j - i) % len(first) for i, j in pairs])
@@ -275,23 +344,28 @@ def common(first: Triangulation, second: Triangulation) -> Triangulation | None:
     return both.optimal(distortion(first.points, second.points)) if both else None
 
 
-def _least_distorted(
-    first: Triangulation, second: Triangulation, shifts: Any
-) -> tuple[int, Triangulation, NDArray[np.int64]]:
-    """Over renumberings, the common triangulation of least distortion: (shift, of the first, triangles)."""
-    best = None
-    for shift in shifts:
-        points = np.roll(second.points, -shift, axis=0)
-        found = common(first, Triangulation(points, first.triangles))
+def least_distorted(first: Triangulation, second: Triangulation) -> tuple[int, Triangulation] | None:
+    """Over all renumberings, find the common triangulation of least distortion.
+
+    Parameters
+    ----------
+    first, second : Triangulation
+        With equally many vertices.
+
+    Returns
+    -------
+    (int, Triangulation) or None
+        The shift and the triangulation, of the first shape; None where no renumbering allows one.
+    """
+    best, least = None, np.inf
+    for shift in range(len(first)):
+        moved = second.rolled(shift)
+        found = common(first, moved)
         if found is not None:
-            cost = float(distortion(first.points, points)(found.triangles).sum())
-            if best is None or cost < best[0]:
-                best = (cost, shift, found)
-    if best is None:
-        raise IncompatibleError(
-            "the curves have no common triangulation under any renumbering; align them with shifts='pivots'"
-        )
-    return best[1], best[2], best[2].triangles
+            cost = float(distortion(first.points, moved.points)(found.triangles).sum())
+            if cost < least:
+                best, least = (shift, found), cost
+    return best
 
 
 def _neighbours(T: Triangulation) -> list[set[int]]:

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tween.curve import Curve, as_curve
 from tween.errors import CurveError, NotSelfOverlappingError, TweenError
+from tween.flips import remesh
 from tween.table import (
     best_splits,
     count_in_floats,
@@ -309,6 +310,37 @@ def decompose(*curves: Curve | ArrayLike) -> Decomposition:
         sizes = " and ".join(str(len(c)) for c in checked)
         raise CurveError(f"curves have {sizes} vertices, expected equal numbers; see Curve.insert_vertices")
     return Decomposition(checked)
+
+
+def triangulate(shape: Triangulation | Curve | ArrayLike) -> Triangulation:
+    """Return the constrained Delaunay triangulation of an immersed disk that a curve bounds.
+
+    Parameters
+    ----------
+    shape : Triangulation, Curve or array_like of shape (n, 2)
+        A triangulation is returned as it is.
+
+    Returns
+    -------
+    Triangulation
+        Where the curve bounds several disks, one of them: that of ``decompose(curve).arbitrary()``.
+
+    Raises
+    ------
+    NotSelfOverlappingError
+        Where the curve bounds no immersed disk; the message says why not.
+
+    Examples
+    --------
+    >>> triangulate([[0, 0], [2, -1], [4, 0], [2, 1]]).diagonals.tolist()
+    [[1, 3]]
+    """
+    if isinstance(shape, Triangulation):
+        return shape
+    decomposition = decompose(shape)
+    if not decomposition:
+        raise NotSelfOverlappingError(f"the curve bounds no immersed disk: {decomposition.reason}")
+    return remesh(decomposition.arbitrary())
 
 
 def _turning_reason(curves: Sequence[Curve]) -> str:

@@ -103,7 +103,7 @@ def flippable(T: Triangulation) -> NDArray[np.bool_]:
     >>> flippable(Triangulation(dart, [[0, 1, 2], [0, 2, 3]]))
     array([False])
     """
-    return _rows(_is_convex, T)
+    return _rows(is_convex, T)
 
 
 def flip(T: Triangulation, diagonal: tuple[int, int]) -> Triangulation:
@@ -132,8 +132,8 @@ def flip(T: Triangulation, diagonal: tuple[int, int]) -> Triangulation:
     [[1, 3]]
     """
     h = half_edge(T, diagonal)
-    if not _is_convex(T.points, T.triangles, T.twin, h):
-        a, b, c, d = _quadrilateral(T.triangles, T.twin, h)
+    if not is_convex(T.points, T.triangles, T.twin, h):
+        a, b, c, d = quadrilateral(T.triangles, T.twin, h)
         raise ValueError(f"diagonal {a}-{b} cannot be flipped: quadrilateral {a}-{d}-{b}-{c} is not strictly convex")
     triangles, twin = T.triangles.copy(), T.twin.copy()
     flip_in_place(triangles, twin, h)
@@ -170,8 +170,8 @@ def _rows(test: Callable[..., bool], T: Triangulation) -> NDArray[np.bool_]:
 
 
 @njit(cache=True)
-def _quadrilateral(triangles, twin, h):
-    """Corners a, b, c, d around half-edge h from a to b."""
+def quadrilateral(triangles, twin, h):
+    """Corners a, b, c, d around half-edge h from a to b, for compiled kernels."""
     t, s = h // 3, h % 3
     g = twin[t, s]
     return triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3], triangles[g // 3, (g + 2) % 3]
@@ -179,13 +179,14 @@ def _quadrilateral(triangles, twin, h):
 
 @njit(cache=True)
 def _not_delaunay(points, triangles, twin, h):
-    a, b, c, d = _quadrilateral(triangles, twin, h)
+    a, b, c, d = quadrilateral(triangles, twin, h)
     return in_circumcircle(points, a, b, c, d) > 0
 
 
 @njit(cache=True)
-def _is_convex(points, triangles, twin, h):
-    a, b, c, d = _quadrilateral(triangles, twin, h)
+def is_convex(points, triangles, twin, h):
+    """Whether the quadrilateral around half-edge h is strictly convex, exactly, for compiled kernels."""
+    a, b, c, d = quadrilateral(triangles, twin, h)
     return turn(points, d, b, c) > 0 and turn(points, c, a, d) > 0
 
 
@@ -203,7 +204,7 @@ def flip_in_place(triangles, twin, h):
 
     Triangle rows (a, b, c) and (b, a, d) become (c, d, b) and (d, c, a), the new diagonal first.
     """
-    a, b, c, d = _quadrilateral(triangles, twin, h)
+    a, b, c, d = quadrilateral(triangles, twin, h)
     t, s = h // 3, h % 3
     g = twin[t, s]
     u, r = g // 3, g % 3

@@ -14,12 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import BSpline
 
 from tween.curve import Curve
-from tween.errors import CurveError, TriangulationError
-from tween.predicates import orient2d
-from tween.triangulation import Triangulation
+from tween.errors import CurveError
+from tween.generators import GRID, on_grid, random_disk, ribbon, xy
 
-GRID = 2.0**-20
-"""Every coordinate made here is a multiple of this; `ribbon` alone keeps to the scale of its spine."""
+__all__ = ["GRID", "PEN", "curve", "describe", "letter", "letters", "names", "random_disk", "ribbon"]
 
 PEN = 1.1
 """Width of the pen for letters, in units of the Hershey fonts, whose capitals are 21 units high."""
@@ -29,12 +27,7 @@ _Complexes = NDArray[np.complex128]
 
 _CAP = 3  # points of a rounded end
 _FINE = 2400  # points of a path before it is resampled
-_FLAT = 2.0**-50  # 1 - cosine and 1 + cosine below this are rounding errors
-_THINNEST = 2.0**-40  # width of a ribbon, as a fraction of the largest coordinate
 
-_SMALLEST_ANGLE = np.radians(15)
-_LARGEST_SUM = 2 * np.pi - 0.05
-_SHORTEST, _LONGEST = 0.5, 2.0  # edges of a random disk
 
 _LETTERS = "CDIJLOPQRSUVZcdeloz"
 _BASE_LINE = 9  # of the font, whose y runs down
@@ -81,7 +74,7 @@ def curve(name: str) -> Curve:
     >>> curve("horseshoe")
     Curve(90 vertices, turning number 1)
     """
-    return Curve(_on_grid(_entry(name)[1]()))
+    return Curve(on_grid(_entry(name)[1]()))
 
 
 def describe(name: str) -> str:
@@ -108,98 +101,6 @@ def describe(name: str) -> str:
     'A tapering letter L: a single reflex corner.'
     """
     return _entry(name)[0]
-
-
-def ribbon(spine: ArrayLike, width: float, cap: int = 0) -> Curve:
-    """Widen an open path to a strip, which overlaps itself where the path crosses itself.
-
-    Parameters
-    ----------
-    spine : array_like, shape (m, 2), m >= 2
-        Points along the path.
-    width : float
-        Distance between the two sides, in the units of the spine.
-    cap : int
-        Points by which each end is rounded to a half circle; 0 leaves it flat.
-
-    Returns
-    -------
-    Curve
-        2m + 2 cap vertices: along the right side, around the end, back along the left side, around the
-        start.  The sides are mitred: parallel to the spine, at half the width from it.
-
-    Raises
-    ------
-    CurveError
-        Where a bend is too tight for the width, naming the vertex of the spine and its radius of
-        curvature; where the spine repeats a point, or one of the arguments is out of range.
-
-    Notes
-    -----
-    A bend is too tight where one of the 2(m-1) triangles of the strip is not counter-clockwise, exactly.
-    At a turn by the angle a the miter takes half the width times tan(a/2) off the inner side of both
-    edges.  The radius of curvature of a polygon is therefore understood as the shorter edge over
-    2 tan(a/2): on a regular polygon, the radius of the inscribed circle.  Every ribbon exists whose
-    half width stays below all radii.
-
-    Examples
-    --------
-    >>> ribbon([[0, 0], [2, 0], [4, 0]], 1).points.tolist()
-    [[0.0, -0.5], [2.0, -0.5], [4.0, -0.5], [4.0, 0.5], [2.0, 0.5], [0.0, 0.5]]
-    >>> ribbon([[0, 0], [1, 0], [1, 1]], 3)
-    Traceback (most recent call last):
-    ...
-    tween.errors.CurveError: spine vertex 1: radius of curvature 0.5 is not above half the width, 1.5; take a ...
-    """
-    path, half = _checked_spine(spine, width), 0.5 * width
-    miters, radius = _bends(path)
-    right, left = path - half * miters, path + half * miters
-    _check_strip(right, left, radius, half)
-    end, start = _half_circle(right[-1], left[-1], cap), _half_circle(left[0], right[0], cap)
-    strip = Curve(np.concatenate([right, end, left[::-1], start]))
-    assert strip.turning_number == 1  # at most two trapezoids, or one and a cap, meet at a vertex: below 2 pi
-    return strip
-
-
-def random_disk(n: int, rng: np.random.Generator) -> Triangulation:
-    """Grow a random immersed disk by gluing triangles to its boundary.
-
-    Parameters
-    ----------
-    n : int
-        Number of vertices, at least 3.
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    Triangulation
-        Triangles in the order in which they were glued; vertex 0 belongs to the first.  Angles are 15
-        degrees at least and edges 0.5 to 2 long, up to the rounding to `GRID`.
-
-    Raises
-    ------
-    TriangulationError
-        Where n is below 3.
-
-    Notes
-    -----
-    A triangle of random angles is held to a boundary edge chosen uniformly, and dropped where angles
-    at a vertex would add up to within 0.05 of 2 pi or an edge would be too short or too long.  O(n)
-    expected.  Nearly all of these disks overlap themselves from 50 vertices on.
-
-    Examples
-    --------
-    >>> T = random_disk(100, np.random.default_rng(0))
-    >>> T.validate() is T, len(T)
-    (True, 100)
-    """
-    if n < 3:
-        raise TriangulationError(f"a disk with {n} vertices was asked for, expected at least 3")
-    places, following, triangles = _grow(n, rng)
-    along = [0]
-    while following[along[-1]]:
-        along.append(following[along[-1]])
-    return Triangulation(_xy(np.array(places)[along]), np.argsort(along)[triangles])
 
 
 def letters() -> tuple[str, ...]:
@@ -260,7 +161,7 @@ def letter(char: str, width: float | None = None) -> Curve:
     spine = _handwriting(char)
     for pen in PEN * _NARROWING if width is None else [width]:
         try:
-            return Curve(_on_grid(ribbon(spine, pen, _CAP).points))
+            return Curve(on_grid(ribbon(spine, pen, _CAP).points))
         except CurveError as error:
             fault = error
     raise CurveError(f"letter {char!r}: {fault}")
@@ -270,7 +171,7 @@ def letter(char: str, width: float | None = None) -> Curve:
 
 
 def _strip(spine: Callable[[_Floats], _Complexes], start: float, stop: float, m: int, width: float) -> _Floats:
-    return ribbon(_even(_xy(spine(np.linspace(start, stop, _FINE))), m), width, _CAP).points
+    return ribbon(_even(xy(spine(np.linspace(start, stop, _FINE))), m), width, _CAP).points
 
 
 def _spiral(turns: float, m: int) -> _Floats:
@@ -306,7 +207,7 @@ def _comb() -> _Floats:
 
 def _fourier(coefficients: dict[int, float]) -> _Floats:
     t = np.arange(96) / 96
-    return _xy(np.sum([c * _unit(k * t) for k, c in coefficients.items()], axis=0))
+    return xy(np.sum([c * _unit(k * t) for k, c in coefficients.items()], axis=0))
 
 
 _ARROW = [-0.4j, 3 - 0.6j, 2.7 - 1.5j, 6 + 0.2j, 2.9 + 1.7j, 3.1 + 0.7j, 0.1 + 0.6j, 0.7 + 0.1j]
@@ -358,14 +259,6 @@ def _unit(turns: _Floats) -> _Complexes:
     return np.exp(2j * np.pi * turns)
 
 
-def _xy(z: ArrayLike) -> _Floats:
-    return np.stack([np.real(z), np.imag(z)], axis=-1)
-
-
-def _on_grid(values: ArrayLike) -> _Floats:
-    return np.round(np.asarray(values, dtype=np.float64) / GRID) * GRID
-
-
 def _length(path: _Floats) -> float:
     return float(np.hypot(*np.diff(path, axis=0).T).sum())
 
@@ -378,7 +271,7 @@ def _even(path: _Floats, m: int) -> _Floats:
 
 
 def _closed(z: _Complexes, n: int) -> _Floats:
-    return _even(_xy(np.append(z, z[0])), n + 1)[:-1]
+    return _even(xy(np.append(z, z[0])), n + 1)[:-1]
 
 
 def _outline(corners: ArrayLike, step: float) -> _Floats:
@@ -386,77 +279,7 @@ def _outline(corners: ArrayLike, step: float) -> _Floats:
     start = np.asarray(corners)
     side = np.roll(start, -1) - start
     pieces = np.maximum(1, np.round(np.abs(side) / step)).astype(int)
-    return _xy(np.concatenate([a + d * np.arange(k) / k for a, d, k in zip(start, side, pieces, strict=True)]))
-
-
-# Ribbons
-
-
-def _checked_spine(spine: ArrayLike, width: float) -> _Floats:
-    path = np.asarray(spine, dtype=np.float64)
-    if path.ndim != 2 or path.shape[1] != 2 or len(path) < 2:
-        raise CurveError(f"the spine has shape {path.shape}, expected (m, 2) with m >= 2")
-    for i in np.flatnonzero(~np.isfinite(path).all(axis=1)):
-        raise CurveError(f"spine vertex {i} is {path[i].tolist()}, expected finite coordinates")
-    for i in np.flatnonzero((path[1:] == path[:-1]).all(axis=1)):
-        raise CurveError(f"spine vertices {i} and {i + 1} are the same point")
-    thinnest = _THINNEST * np.abs(path).max()
-    if not thinnest < width < np.inf:
-        raise CurveError(f"the ribbon is {width:g} wide, expected more than {thinnest:.1e} for this spine")
-    return path
-
-
-def _bends(path: _Floats) -> tuple[_Floats, _Floats]:
-    """Offset of the left side at unit distance, shape (m, 2), and radius of curvature, shape (m,)."""
-    edges = np.diff(path, axis=0)
-    lengths = np.pad(np.hypot(*edges.T), 1, mode="edge")
-    normals = np.pad(np.stack([-edges[:, 1], edges[:, 0]], axis=1), [(1, 1), (0, 0)], mode="edge") / lengths[:, None]
-    before, after = normals[:-1], normals[1:]
-    cosine = np.sum(before * after, axis=1)
-    toward, against = np.maximum(1 + cosine, _FLAT), np.maximum(1 - cosine, _FLAT)
-    radius = np.minimum(lengths[:-1], lengths[1:]) / (2 * np.sqrt(against / toward))
-    return (before + after) / toward[:, None], radius
-
-
-def _check_strip(right: _Floats, left: _Floats, radius: _Floats, half: float) -> None:
-    """Raise the `CurveError` that names the vertex at the first triangle that is not counter-clockwise."""
-    lower, upper = orient2d(right[:-1], right[1:], left[:-1]), orient2d(right[1:], left[1:], left[:-1])
-    for q in np.flatnonzero((lower <= 0) | (upper <= 0)):
-        i = q + int(radius[q + 1] < radius[q])
-        found = f"radius of curvature {radius[i]:.3g} is not above half the width, {half:.3g}"
-        raise CurveError(f"spine vertex {i}: {found}; take a narrower ribbon")
-
-
-def _half_circle(start: _Floats, end: _Floats, count: int) -> _Floats:
-    """Points between start and end, to the right of the way from one to the other."""
-    a, b = start @ np.array([1, 1j]), end @ np.array([1, 1j])
-    return _xy((a + b) / 2 + (a - b) / 2 * _unit(np.arange(1, count + 1) / (2 * count + 2)))
-
-
-# Random disks
-
-
-def _grow(n: int, rng: np.random.Generator) -> tuple[list[complex], list[int], list[tuple[int, int, int]]]:
-    """Start from one edge with two sides: places, next vertex along the boundary, triangles."""
-    places, following, sums = [0j, 1 + 0j], [1, 0], [0.0, 0.0]
-    triangles: list[tuple[int, int, int]] = []
-    while len(places) < n:
-        a = int(rng.integers(len(places)))
-        b, c = following[a], len(places)
-        at_a, at_b, at_c = _SMALLEST_ANGLE + (np.pi - 3 * _SMALLEST_ANGLE) * rng.dirichlet((2, 2, 2))
-        base = places[b] - places[a]
-        sides = abs(base) * np.sin([at_a, at_b]) / np.sin(at_c)
-        fits = _SHORTEST <= sides.min() and sides.max() <= _LONGEST
-        if not fits or sums[a] + at_a > _LARGEST_SUM or sums[b] + at_b > _LARGEST_SUM:
-            continue
-        place = places[a] + base * np.sin(at_b) / np.sin(at_c) * np.exp(-1j * at_a)
-        places.append(complex(*_on_grid(_xy(place))))
-        following[a] = c
-        following.append(b)
-        sums[a], sums[b] = sums[a] + at_a, sums[b] + at_b
-        sums.append(at_c)
-        triangles.append((a, c, b))
-    return places, following, triangles
+    return xy(np.concatenate([a + d * np.arange(k) / k for a, d, k in zip(start, side, pieces, strict=True)]))
 
 
 # Handwriting

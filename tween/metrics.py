@@ -21,7 +21,8 @@ def area_matrix(m: Morph, frames: int = 100) -> NDArray[np.float64]:
     Returns
     -------
     ndarray of float64, shape (n-2, frames)
-        Fractions of the source's total area; a row a triangle.
+        Fractions of the source's total area; a row a triangle.  A flip replaces two triangles by two, which
+        keep the two rows.
 
     Examples
     --------
@@ -36,9 +37,13 @@ def area_matrix(m: Morph, frames: int = 100) -> NDArray[np.float64]:
     Mukherjee and Gopi, Section 7, "Evaluation".
     """
     times = np.linspace(0.0, 1.0, frames)
-    a, b, c = np.moveaxis(m.at(times)[:, m.source.triangles], 2, 0)
-    u, v = b - a, c - a
-    areas = 0.5 * (u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]).T
+    shapes, stages = m.at(times), m.stage_at(times)
+    areas = np.empty((len(m.source.triangles), frames))
+    for stage in np.unique(stages):
+        now = stages == stage
+        a, b, c = np.moveaxis(shapes[now][:, m.triangles_at(times[now][0])], 2, 0)
+        u, v = b - a, c - a
+        areas[:, now] = 0.5 * (u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]).T
     return areas / m.source.areas.sum()
 
 

@@ -1,40 +1,60 @@
-"""Morphs of compatible triangulations (Section 5), all frames at once.
+"""Morphs between any two immersed disks: one call, from curves or triangulations to moving shapes.
 
-The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
-its parent, and moves its third vertex along a path (`tween.paths`).  Points are complex numbers here.
-
-Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
+Everything is computed from the one of the two shapes whose points come first in the order of bytes to
+the other, and turned around where the caller wants it the other way: so a morph is symmetric, however
+ties are broken on the way.
 """
 
-from typing import Literal, NamedTuple
+from typing import Any, Literal, Protocol
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from tween.curve import Curve
+from tween.align import Alignment, common, equal_counts, least_distorted, match, pivot_shift
+from tween.compatible import Leg, root_triangle
+from tween.curve import Curve, as_curve
 from tween.decomposition import decompose
-from tween.dual import RootedTree, disk_center, rooted, tree_center
 from tween.errors import IncompatibleError, NotSelfOverlappingError
-from tween.flips import remesh
-from tween.paths import PATHS, Path, third_vertices
-from tween.triangulation import Triangulation, compatible_shift
+from tween.flips import flip_in_place
+from tween.gradual import Event, Flow, Order, Through
+from tween.paths import PATHS, Path
+from tween.sequence import FlipSequence, flip_sequence
+from tween.triangulation import Triangulation, compatible_shift, match_rows
 
 Root = Literal["disk-center", "tree-center"] | int
+Strategy = Literal["auto", "paper", "common"]
 
-_HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
+class Motion(Protocol):
+    """What a `Morph` runs.
 
-class Event(NamedTuple):
-    """A flip during a morph: when, and which diagonal gave way to which."""
+    Attributes
+    ----------
+    stages : list of (float, ndarray)
+        The triangles in force, and from when on.
+    events : list of Event
+        The flips, in order of time.
+    """
 
-    time: float
-    out: tuple[int, int]
-    into: tuple[int, int]
+    stages: list[tuple[float, NDArray[np.int64]]]
+    events: list[Event]
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at many times.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
 
 
 class Morph:
-    """A morph between two shapes with the same triangles; made by `morph`.
+    """A morph between two shapes; made by `morph`.
 
     Calling it with a time, 0 to 1, gives the shape at that time.
 
@@ -44,17 +64,30 @@ class Morph:
         What it leads from and to; vertex i of one moves to vertex i of the other.
     source_vertices, target_vertices : ndarray of int, shape (n,)
         Which vertex of the input each vertex is; -1 where it was inserted.
-    path : str
-    root : int
-        Number of the root triangle.
+    alignment : Alignment
+        How the two were matched.
+    events : list of Event
+        The flips on the way, in order of time; none between compatible triangulations.
+    u, v : float or None
+        When the flow of the source, and that of the target, has done its last flip; None without flips.
     """
 
-    def __init__(self, source: Triangulation, target: Triangulation, path: Path, root: int) -> None:
-        if path not in PATHS:
-            raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
-        self.source, self.target, self.path, self.root = source, target, path, root
-        self.source_vertices = self.target_vertices = np.arange(len(source))
-        self._tree = rooted(source, root)
+    def __init__(
+        self,
+        motion: Motion,
+        alignment: Alignment,
+        backwards: bool,
+        shift: int,
+        flows: tuple[float, float] | None = None,
+    ) -> None:
+        self.alignment = alignment
+        self.source, self.target = alignment.source, alignment.target
+        self.source_vertices, self.target_vertices = alignment.source_vertices, alignment.target_vertices
+        self.u: float | None = flows[0] if flows else None
+        self.v: float | None = flows[1] if flows else None
+        self._motion, self._backwards, self._shift = motion, backwards, shift
+        self._stages = self._own_stages()
+        self.events = [self._own_event(e) for e in (reversed(motion.events) if backwards else motion.events)]
 
     def __call__(self, t: float) -> NDArray[np.float64]:
         """Return the shape at one time.
@@ -95,7 +128,7 @@ class Morph:
         t = np.asarray(times, dtype=np.float64)
         if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
             raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
-        shapes = self._shapes(t)
+        shapes = np.roll(self._motion.at(1 - t if self._backwards else t), self._shift, axis=1)
         shapes[t == 0] = self.source.points
         shapes[t == 1] = self.target.points
         return shapes
@@ -124,19 +157,55 @@ class Morph:
         Returns
         -------
         ndarray of int, shape (n-2, 3)
+            The two triangles of a flip keep their rows.
         """
-        return self.source.triangles
+        return self._stages[self.stage_at(np.array([t]))[0]][1]
 
-    @property
-    def events(self) -> list[Event]:
-        """The flips on the way, in order of time; none between compatible triangulations."""
-        return []
+    def stage_at(self, times: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Tell between which flips times lie: equal numbers, equal triangles.
 
-    def _shapes(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return hang(self.source, self.target.points, self._tree, self.path, t)
+        Parameters
+        ----------
+        times : ndarray of float64, shape (k,)
+
+        Returns
+        -------
+        ndarray of int, shape (k,)
+        """
+        starts = np.array([start for start, _ in self._stages])
+        return np.searchsorted(starts, times, side="right") - 1
+
+    def _own_stages(self) -> list[tuple[float, NDArray[np.int64]]]:
+        """The motion's stages in this morph's time, vertices and rows."""
+        stages = [(s, (triangles + self._shift) % len(self.source)) for s, triangles in self._motion.stages]
+        if self._backwards:
+            starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
+            stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        rows = match_rows(stages[0][1], self.source.triangles)
+        return [(s, triangles[rows]) for s, triangles in stages]
+
+    def _own_event(self, event: Event) -> Event:
+        time, out, into = event
+        if self._backwards:
+            time, out, into = 1 - time, into, out
+        n, shift = len(self.source), self._shift
+        own = [((a + shift) % n, (b + shift) % n) for a, b in (out, into)]
+        return Event(time, (min(own[0]), max(own[0])), (min(own[1]), max(own[1])))
 
     def __repr__(self) -> str:
-        return f"Morph({len(self.source)} vertices, path {self.path!r}, root {self.root})"
+        return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"
+
+
+class _Compatible:
+    """One leg, no flips, as a `Motion`."""
+
+    def __init__(self, leg: Leg) -> None:
+        self._leg = leg
+        self.stages = [(0.0, leg.source.triangles)]
+        self.events: list[Event] = []
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self._leg.at(t)
 
 
 def morph(
@@ -144,19 +213,29 @@ def morph(
     target: Triangulation | Curve | ArrayLike,
     path: Path = "slide",
     root: Root = "disk-center",
+    strategy: Strategy = "auto",
+    order: Order = "partial",
 ) -> Morph:
-    """Morph one immersed disk into another with a compatible triangulation.
+    """Morph one immersed disk into another.
 
     Parameters
     ----------
     source, target : Triangulation, Curve or array_like of shape (n, 2)
-        A curve stands for its constrained Delaunay triangulation.  The target's vertices are renumbered
-        by `compatible_shift`, unless the triangles agree as they are.
+        Where they have different numbers of vertices, vertices are inserted on the one with fewer, see
+        `align`.  A curve stands for its constrained Delaunay triangulation.
     path : {"slide", "linear"}
         How third vertices move, see `tween.paths`.
     root : {"disk-center", "tree-center"} or int
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
         choice), the centre of the dual tree, or a triangle of the source by number.
+    strategy : {"auto", "paper", "common"}
+        "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
+        gradually (Section 6).  "common": retriangulate both curves with a triangulation that is valid in
+        both, the least distorting one, under the pivots' correspondence or, if there is none, under
+        any; no flips.  "auto": for curves "common" where that is possible, otherwise "paper";
+        triangulations that were given are kept ("paper").
+    order : {"partial", "sequential"}
+        Whether flips that do not depend on each other wait for each other, see `tween.gradual`.
 
     Returns
     -------
@@ -164,171 +243,137 @@ def morph(
 
     Raises
     ------
-    CurveError, NotSelfOverlappingError, IncompatibleError
+    CurveError
+        Where the input is no curve.
+    NotSelfOverlappingError
+        Where a curve bounds no immersed disk; the message says which of the two, and why.
+    IncompatibleError
+        Where `strategy` is "common" and there is no common triangulation.
 
     Notes
     -----
-    The root's base changes its length and direction linearly, and its centre of mass moves linearly;
-    the paper says only that the root is "smoothly interpolated".  Every triangle stays counter-clockwise
-    at all times.  That alone does not make every shape the boundary of an immersed disk: angles around
-    a vertex may add up to more than 2 pi on the way.
+    Every triangle in force stays counter-clockwise at all times.  That alone does not make every shape
+    the boundary of an immersed disk: angles around a vertex may add up to more than 2 pi on the way.
 
     Examples
     --------
-    >>> T = triangulate([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]])
+    >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
     >>> m = morph(T, T.on_disk())
     >>> m.frames(5).shape, bool((m(0) == T.points).all())
-    ((5, 6, 2), True)
+    ((5, 4, 2), True)
 
     References
     ----------
-    Mukherjee and Gopi, Section 5.
+    Mukherjee and Gopi, Sections 5 and 6.
     """
-    first, second = triangulate(source), triangulate(target)
-    second, shift = _matched(first, second)
-    result = Morph(first, second, path, _root(first, second, root))
-    result.target_vertices = (np.arange(len(first)) + shift) % len(first)
-    return result
+    _check_options(path, strategy, order)
+    _check_disks(source, target)
+    swapped = _key(source) > _key(target)
+    first, second = (target, source) if swapped else (source, target)
+    alignment = _align_for(strategy, first, second)
+    own = alignment.exchanged() if swapped else alignment
+    shift = alignment.shift if swapped else 0
+    if alignment.crossings == 0:
+        leg = _straight(alignment, own, shift, path, root)
+        return Morph(_Compatible(leg), own, swapped, shift)
+    return _gradual_morph(alignment, own, swapped, shift, path, root, order)
 
 
-def triangulate(shape: Triangulation | Curve | ArrayLike) -> Triangulation:
-    """Return the constrained Delaunay triangulation of an immersed disk that a curve bounds.
-
-    Parameters
-    ----------
-    shape : Triangulation, Curve or array_like of shape (n, 2)
-        A triangulation is returned as it is.
-
-    Returns
-    -------
-    Triangulation
-        Where the curve bounds several disks, one of them: that of ``decompose(curve).arbitrary()``.
-
-    Raises
-    ------
-    NotSelfOverlappingError
-        Where the curve bounds no immersed disk; the message says why not.
-
-    Examples
-    --------
-    >>> triangulate([[0, 0], [2, -1], [4, 0], [2, 1]]).diagonals.tolist()
-    [[1, 3]]
-    """
-    if isinstance(shape, Triangulation):
-        return shape
-    decomposition = decompose(shape)
-    if not decomposition:
-        raise NotSelfOverlappingError(f"the curve bounds no immersed disk: {decomposition.reason}")
-    return remesh(decomposition.arbitrary())
+def _check_options(path: str, strategy: str, order: str) -> None:
+    for name, value, allowed in (
+        ("path", path, PATHS),
+        ("strategy", strategy, ("auto", "paper", "common")),
+        ("order", order, ("partial", "sequential")),
+    ):
+        if value not in allowed:
+            raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _matched(first: Triangulation, second: Triangulation) -> tuple[Triangulation, int]:
-    """Renumber `second` so that it has the triangles of `first`, in their order."""
-    if len(first) != len(second):
-        raise IncompatibleError(f"shapes have {len(first)} and {len(second)} vertices, expected equal numbers")
-    same = np.array_equal(first.canonical, second.canonical)
-    shift = 0 if same else compatible_shift(first, second)
-    if shift is None:
-        raise IncompatibleError("the triangulations are incompatible: no renumbering makes their degrees agree")
-    return Triangulation(np.roll(second.points, -shift, axis=0), first.triangles), shift
+def _check_disks(source: Any, target: Any) -> None:
+    """Name the one of the two that bounds no disk, and why."""
+    for name, shape in (("source", source), ("target", target)):
+        if not isinstance(shape, Triangulation):
+            answer = decompose(shape)
+            if not answer:
+                raise NotSelfOverlappingError(f"the {name} bounds no immersed disk: {answer.reason}")
 
 
-def _root(first: Triangulation, second: Triangulation, root: Root) -> int:
-    if root == "disk-center":
-        return disk_center(first, second)
-    if root == "tree-center":
-        return tree_center(first)
-    if isinstance(root, str) or int(root) != root or not 0 <= root < len(first.triangles):
-        last = len(first.triangles) - 1
-        raise ValueError(f"root is {root!r}, expected 'disk-center', 'tree-center' or a triangle from 0 to {last}")
-    return int(root)
+def _key(shape: Any) -> tuple[int, bytes]:
+    points = as_curve(shape).points
+    return len(points), points.astype(">f8").tobytes()
 
 
-def hang(
-    source: Triangulation, target_points: NDArray[np.float64], tree: RootedTree, path: Path, t: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Lay out the triangles of all times, the root first and each child on its base.
-
-    Parameters
-    ----------
-    source : Triangulation
-    target_points : ndarray of float64, shape (n, 2)
-        Target with the same triangles.
-    tree : RootedTree
-        Of the source.
-    path : str
-    t : ndarray of float64, shape (k,)
-
-    Returns
-    -------
-    ndarray of float64, shape (k, n, 2)
-
-    References
-    ----------
-    Mukherjee and Gopi, Section 5.
-    """
-    corners = _corners_from_base(source.triangles, tree)
-    start, end = _complex(source.points)[corners], _complex(target_points)[corners]
-    z = third_vertices(path, _third(start), _third(end), _propagates(source.twin, tree), t)
-    a, e = _root_base(start[0], end[0], z[0], t)
-    shapes = _lay_out(corners, tree.base, tree.order, source.twin, z, a, e, len(source))
-    return np.ascontiguousarray(shapes.T).view(np.float64).reshape(len(t), len(source), 2)
+def _align_for(strategy: Strategy, source: Any, target: Any) -> Alignment:
+    keep = isinstance(source, Triangulation) or isinstance(target, Triangulation)
+    first, second, *origins = equal_counts(source, target)
+    if strategy == "common" or (strategy == "auto" and not keep):
+        found = _align_commonly(first, second, origins)
+        if found is not None:
+            return found
+        if strategy == "common":
+            raise IncompatibleError(
+                "strategy 'common' is impossible: the curves have no common triangulation under any of the "
+                f"{len(first)} renumberings; strategy='paper' flips on the way"
+            )
+    shift = compatible_shift(first, second)
+    if shift is not None:
+        return match(first, second, shift, None, *origins)
+    return match(first, second, *pivot_shift(first, second), *origins)
 
 
-def _complex(points: NDArray[np.float64]) -> NDArray[np.complex128]:
-    return np.ascontiguousarray(points).view(np.complex128)[:, 0]
+def _align_commonly(first: Triangulation, second: Triangulation, origins: list[NDArray[np.int64]]) -> Alignment | None:
+    """With a common triangulation, under the pivots' correspondence or else the least distorting one."""
+    n = len(first)
+    shift, at_pivots = pivot_shift(first, second)
+    shared, pivot = common(first, second.rolled(shift)), None
+    if shared is not None:
+        pivot = at_pivots
+    else:
+        found = least_distorted(first, second)
+        if found is None:
+            return None
+        shift, shared = found
+    return match(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, pivot, *origins)
 
 
-def _corners_from_base(triangles: NDArray[np.int64], tree: RootedTree) -> NDArray[np.int64]:
-    """Corners a, b, c of each triangle in tree order, ab being its base; shape (m, 3)."""
-    slots = (tree.base[tree.order, None] + np.arange(3)) % 3
-    return np.take_along_axis(triangles[tree.order], slots, axis=1)
+def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root) -> Leg:
+    first = alignment.source
+    second = Triangulation(alignment.target.points, first.triangles)
+    row = _row(root, own.source, shift, first.triangles)
+    return Leg(first, second.points, path, root_triangle(row, first, second))
 
 
-def _propagates(twin: NDArray[np.int64], tree: RootedTree) -> NDArray[np.bool_]:
-    """Whether edge ca, and edge bc, of each triangle in tree order has a child; shape (m, 2)."""
-    slots = (tree.base[tree.order, None] + np.array([2, 1])) % 3
-    return np.take_along_axis(twin[tree.order], slots, axis=1) >= 0
+def _row(root: Root, source: Triangulation, shift: int, triangles: NDArray[np.int64]) -> Root:
+    """A root given by its number in the source, by its row in the same triangles numbered otherwise."""
+    if isinstance(root, str):
+        return root
+    row = root_triangle(root, source)
+    wanted = (source.triangles - shift) % len(source)
+    return int(np.flatnonzero(match_rows(wanted, triangles) == row)[0])
 
 
-def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    a, b, c = corners.T
-    return (c - a) / (b - a)
+def _gradual_morph(
+    alignment: Alignment, own: Alignment, swapped: bool, shift: int, path: Path, root: Root, order: Order
+) -> Morph:
+    """Run both flows, and take the way through the one that is done with its flips first."""
+    shapes = alignment.source, alignment.target
+    sequences = flip_sequence(*shapes), flip_sequence(*shapes[::-1])
+    roots = [root, root]
+    if not isinstance(root, str):
+        mine, other = (1, 0) if swapped else (0, 1)
+        roots[mine] = root_triangle(root, own.source)
+        flipped = _after(shapes[mine], sequences[mine])
+        roots[other] = int(np.flatnonzero(match_rows(flipped, shapes[other].triangles) == roots[mine])[0])
+    flows = [Flow(shapes[i], sequences[i], path, roots[i], order) for i in (0, 1)]
+    by = 1 if flows[1].end <= flows[0].end else 0
+    motion = Through(shapes[1 - by], flows[by], path, roots[1 - by])
+    u, v = (flow.end for flow in (reversed(flows) if swapped else flows))
+    return Morph(motion, own, swapped != (by == 0), shift, (u, v))
 
 
-def _root_base(
-    source: NDArray[np.complex128], target: NDArray[np.complex128], z: NDArray[np.complex128], t: NDArray[np.float64]
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Move the root: (a, e) at every time, from its corners at both ends and its z on the way."""
-    e1, e2 = source[1] - source[0], target[1] - target[0]
-    turn = float(np.angle(e2 / e1))
-    if abs(abs(turn) - np.pi) < _HALF_TURN:
-        turn = np.copysign(turn, e1.imag if e1.imag != 0 else e1.real)
-    length = (1 - t) * abs(e1) + t * abs(e2)
-    e = length * np.exp(1j * (np.angle(e1) + t * turn))
-    centre = (1 - t) * source.mean() + t * target.mean()
-    return centre - e * (1 + z) / 3, e
-
-
-@njit(cache=True)
-def _lay_out(corners, base, order, twin, z, root_a, root_e, n):
-    """Shapes, (n, k), from the third vertices z, (m, k), in tree order."""
-    m, k = z.shape
-    place = np.empty(m, np.int64)
-    for i in range(m):
-        place[order[i]] = i
-    shapes, bases = np.empty((n, k), np.complex128), np.empty((m, k), np.complex128)
-    bases[0] = root_e
-    shapes[corners[0, 0]] = root_a
-    shapes[corners[0, 1]] = root_a + root_e
-    for i in range(m):
-        t = order[i]
-        across_bc, across_ca = twin[t, (base[t] + 1) % 3], twin[t, (base[t] + 2) % 3]
-        shapes[corners[i, 2]] = shapes[corners[i, 0]] + z[i] * bases[i]
-        if across_ca >= 0:
-            bases[place[across_ca // 3]] = z[i] * bases[i]
-        if across_bc >= 0:
-            bases[place[across_bc // 3]] = (1.0 - z[i]) * bases[i]
-        if i == 0 and twin[t, base[t] % 3] >= 0:
-            bases[place[twin[t, base[t] % 3] // 3]] = -bases[0]
-    return shapes
+def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:
+    """The triangles after the flips, the pairs in their rows."""
+    triangles, twin = T.triangles.copy(), T.twin.copy()
+    for t, u in flips.rows.tolist():
+        flip_in_place(triangles, twin, 3 * t + int(np.flatnonzero(twin[t] // 3 == u)[0]))
+    return triangles

@@ -248,9 +248,35 @@ def canonical(triangles: ArrayLike) -> NDArray[np.int64]:
     [[0, 1, 2], [0, 2, 3]]
     """
     triangles = np.asarray(triangles, dtype=np.int64)
-    first = (triangles.argmin(axis=1)[:, None] + np.arange(3)) % 3
-    turned = np.take_along_axis(triangles, first, axis=1)
-    return turned[np.lexsort(turned.T[::-1])]
+    turned = _smallest_first(triangles)
+    return turned[_canonical_order(triangles)]
+
+
+def _smallest_first(triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    slots = (triangles.argmin(axis=1)[:, None] + np.arange(3)) % 3
+    return np.take_along_axis(triangles, slots, axis=1)
+
+
+def _canonical_order(triangles: NDArray[np.int64]) -> NDArray[np.intp]:
+    return np.lexsort(_smallest_first(triangles).T[::-1])
+
+
+def match_rows(triangles: NDArray[np.int64], wanted: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Find the rows of one list of triangles in another list of the same triangles.
+
+    Parameters
+    ----------
+    triangles, wanted : ndarray of int, shape (m, 3)
+        Equal as sets, corners in any cyclic order.
+
+    Returns
+    -------
+    ndarray of int, shape (m,)
+        ``triangles[result]`` are the triangles of `wanted`, row for row.
+    """
+    rows = np.empty(len(wanted), dtype=np.int64)
+    rows[_canonical_order(wanted)] = _canonical_order(triangles)
+    return rows
 
 
 def compatible_shift(first: Triangulation, second: Triangulation) -> int | None:

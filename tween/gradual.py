@@ -1,0 +1,309 @@
+"""Motion between incompatible triangulations by gradual edge flips (Section 6.2).
+
+A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each
+flip as soon as its quadrilateral is strictly convex in the moving shape.  `Through` joins a leg from one
+shape and the flow of the other to a motion between the two (Figure 10):
+
+    S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
+
+Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
+ab that gives way to cd, as in `tween.flips`.
+"""
+
+from collections import deque
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tween.compatible import Leg, root_triangle
+from tween.flips import flip_in_place, is_convex, quadrilateral
+from tween.paths import Path
+from tween.predicates import orient2d
+from tween.sequence import FlipSequence
+from tween.triangulation import Triangulation, match_rows
+
+Order = Literal["partial", "sequential"]
+
+_SCAN = 1 / 64  # step of the search for the first convex time; a shorter spell of convexity may be missed
+_CHUNK = 8  # steps looked at together
+_REFINEMENTS = 6  # each divides the step by 16: times are found to 1e-9
+_SAMPLES = 9  # shapes by which the length of a piece is measured
+
+
+class Event(NamedTuple):
+    """A flip during a motion.
+
+    Attributes
+    ----------
+    time : float
+        When, from 0 to 1.
+    out, into : (int, int)
+        Ends of the diagonal that gives way, and of the one that comes, the smaller first.
+    """
+
+    time: float
+    out: tuple[int, int]
+    into: tuple[int, int]
+
+
+class Piece(NamedTuple):
+    """Part of a motion.
+
+    Attributes
+    ----------
+    leg : Leg
+    start, stop : float
+        The times of the leg between which it runs; backwards where start > stop.
+    """
+
+    leg: Leg
+    start: float
+    stop: float
+
+    def at(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at shares of the piece.
+
+        Parameters
+        ----------
+        share : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+        return self.leg.at(self.start + share * (self.stop - self.start))
+
+    def reversed(self) -> "Piece":
+        """Run the same part backwards.
+
+        Returns
+        -------
+        Piece
+        """
+        return Piece(self.leg, self.stop, self.start)
+
+
+class Flow:
+    """A shape on its way to its disk, flipping to another triangulation as it goes.
+
+    Parameters
+    ----------
+    T : Triangulation
+    flips : FlipSequence
+        From T to the other triangulation.
+    path : str
+    root : "disk-center", "tree-center" or int
+    order : {"partial", "sequential"}
+        "sequential" waits for each flip in turn, as the paper does.  "partial" lets a flip go ahead as
+        soon as it is possible and the flips before it that touch the same triangles are done.
+
+    Attributes
+    ----------
+    end : float
+        When the last flip is done: u, or v, of the paper.
+    events : list of Event
+        The flips, in the order in which they happen, with their times.
+    pieces : list of Piece
+        The motion from 0 to `end`, one piece between flips.
+    start, final : Triangulation
+        The shape at 0, and that at `end` under the other triangulation.
+
+    Notes
+    -----
+    Before each flip the motion is scanned in steps of 1/64 for the first time at which a waiting flip is
+    possible, exactly; that time is refined to 1e-9.  After a flip the shape goes on from where it is to
+    the same disk, under the new triangles, so there is no jump.  At the disk every flip is possible.
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.2 and Figure 10.
+    """
+
+    def __init__(self, T: Triangulation, flips: FlipSequence, path: Path, root: str | int, order: Order) -> None:
+        self._flips, self._path, self._root = flips, path, root
+        self.start, self._disk = T, T.on_disk().points
+        self._stages: list[int] = []
+        self._waiting = _Waiting(flips, sequential=order == "sequential")
+        self.events: list[Event] = []
+        self.pieces: list[Piece] = []
+        self.end = 0.0
+        self.final = self._flip_all_possible(T)
+        while self._waiting:
+            self._move_on()
+
+    def events_by_stage(self) -> list[tuple[Event, int]]:
+        """List the flips, each with the number of pieces that lie before it.
+
+        Returns
+        -------
+        list of (Event, int)
+        """
+        return list(zip(self.events, self._stages, strict=True))
+
+    def _move_on(self) -> None:
+        """Run to the first time at which a waiting flip is possible, and flip."""
+        leg = Leg(self.final, self._disk, self._path, root_triangle(self._root, self.final))
+        share, points = self._first_possible(leg)
+        if share > 0:
+            self.pieces.append(Piece(leg, 0.0, share))
+        self.end = 1.0 if share == 1 else self.end + share * (1 - self.end)
+        self.final = self._flip_all_possible(_with_points(self.final, points))
+
+    def _flip_all_possible(self, T: Triangulation) -> Triangulation:
+        """Flip, and flip what that makes possible, until nothing more is possible in this shape."""
+        triangles, twin = T.triangles.copy(), T.twin.copy()
+        again = True
+        while again:
+            again = False
+            for flip in self._waiting.ready():
+                h = _shared_edge(twin, *self._flips.rows[flip])
+                if is_convex(T.points, triangles, twin, h):
+                    flip_in_place(triangles, twin, h)
+                    self._waiting.done(flip)
+                    out, into = self._flips.out[flip].tolist(), self._flips.into[flip].tolist()
+                    self.events.append(Event(self.end, tuple(out), tuple(into)))
+                    self._stages.append(len(self.pieces))
+                    again = True
+        return Triangulation(T.points, triangles)
+
+    def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
+        """The first share of the leg at which a waiting flip is possible, and the shape there."""
+        T = leg.source
+        edges = [_shared_edge(T.twin, *self._flips.rows[flip]) for flip in self._waiting.ready()]
+        quads = np.array([quadrilateral(T.triangles, T.twin, h) for h in edges])
+        step = min(1.0, _SCAN / (1 - self.end))
+        low, high = 0.0, 1.0
+        while low < 1:
+            shares = np.minimum(1.0, low + step * np.arange(1, _CHUNK + 1))
+            possible = _some_convex(leg.at(shares), quads)
+            if possible.any():
+                first = int(np.argmax(possible))
+                low, high = (shares[first - 1] if first else low), shares[first]
+                break
+            low = shares[-1]
+        for _ in range(_REFINEMENTS):
+            shares = np.append(low + (high - low) * np.arange(1, 16) / 16, high)
+            first = int(np.argmax(_some_convex(leg.at(shares), quads)))
+            low, high = (shares[first - 1] if first else low), shares[first]
+        return float(high), leg.at(np.array([high]))[0]
+
+
+class _Waiting:
+    """The flips still to do; a flip is ready when no earlier one waits for either of its two triangles."""
+
+    def __init__(self, flips: FlipSequence, sequential: bool) -> None:
+        self._rows = np.zeros_like(flips.rows) if sequential else flips.rows
+        self._queues: dict[int, deque[int]] = {}
+        for flip, rows in enumerate(self._rows.tolist()):
+            for row in set(rows):
+                self._queues.setdefault(row, deque()).append(flip)
+        self._left = len(flips)
+
+    def __bool__(self) -> bool:
+        return self._left > 0
+
+    def ready(self) -> list[int]:
+        first = {queue[0] for queue in self._queues.values() if queue}
+        return sorted(f for f in first if all(self._queues[row][0] == f for row in self._rows[f].tolist()))
+
+    def done(self, flip: int) -> None:
+        for row in set(self._rows[flip].tolist()):
+            self._queues[row].popleft()
+        self._left -= 1
+
+
+class Through:
+    """The motion from one shape to another by way of the other's flow (Figure 10).
+
+    It leads straight to the end of the flow, under the first shape's triangles, and back along the
+    flow to the other shape.
+
+    Parameters
+    ----------
+    T : Triangulation
+        The first shape; the flow ends with its triangles.
+    flow : Flow
+        Of the other shape.
+    path : str
+    root : "disk-center", "tree-center" or int
+        Of the way to the end of the flow.
+
+    Attributes
+    ----------
+    stages : list of (float, ndarray)
+        The triangles in force and from when on; a flip hands two rows on to two rows.
+    events : list of Event
+
+    Notes
+    -----
+    Time is distributed so that at every moment the vertices move equally fast: the root mean square of
+    their velocities is constant, up to the sampling of each piece at 9 shapes.
+    """
+
+    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int) -> None:
+        end = Triangulation(flow.final.points, T.triangles)
+        straight = Leg(T, end.points, path, root_triangle(root, T, end))
+        self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
+        starts = self._set_pace()
+        rows = match_rows(flow.final.triangles, T.triangles)
+        self.stages = [(0.0, T.triangles)]
+        for start, piece in zip(starts[1:], self._pieces[1:], strict=False):
+            self.stages.append((start, piece.leg.source.triangles[rows]))
+        self.stages.append((1.0, flow.start.triangles[rows]))
+        self.events = [Event(starts[-1 - stage], e.into, e.out) for e, stage in reversed(flow.events_by_stage())]
+
+    def _set_pace(self) -> list[float]:
+        """Distribute time over the pieces; returns when each begins, and 1."""
+        pieces = self._pieces
+        shares = np.linspace(0.0, 1.0, _SAMPLES)
+        steps = np.concatenate([_steps(piece.at(shares)) for piece in pieces])
+        length = np.concatenate([[0.0], np.cumsum(steps)])
+        self._time = length / length[-1] if length[-1] > 0 else np.linspace(0.0, 1.0, len(length))
+        self._place = np.linspace(0.0, len(pieces), len(length))
+        starts: list[float] = self._time[:: _SAMPLES - 1].tolist()
+        return starts
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at many times.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+        place = np.interp(t, self._time, self._place)
+        number = np.minimum(place.astype(np.int64), len(self._pieces) - 1)
+        shapes = np.empty((len(t), *self._pieces[0].leg.target.shape))
+        for i in np.unique(number):
+            here = number == i
+            shapes[here] = self._pieces[i].at(place[here] - i)
+        return shapes
+
+
+def _steps(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Root mean square displacement of the vertices from shape to shape."""
+    moved: NDArray[np.float64] = np.sqrt((np.diff(shapes, axis=0) ** 2).sum(axis=2).mean(axis=1))
+    return moved
+
+
+def _some_convex(shapes: NDArray[np.float64], quads: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """In which of the shapes, (k, n, 2), at least one of the quads is strictly convex."""
+    a, b, c, d = np.moveaxis(shapes[:, quads], 2, 0)
+    convex = np.asarray(orient2d(d, b, c) > 0) & np.asarray(orient2d(c, a, d) > 0)
+    return np.asarray(convex.any(axis=1))
+
+
+def _shared_edge(twin: NDArray[np.int64], t: int, u: int) -> int:
+    """The half-edge of triangle t across which triangle u lies."""
+    slot = int(np.flatnonzero(twin[t] // 3 == u)[0])
+    return int(3 * t + slot)
+
+
+def _with_points(T: Triangulation, points: NDArray[np.float64]) -> Triangulation:
+    return Triangulation(points, T.triangles)
