@@ -145,7 +145,9 @@ def test_a_flip_changes_one_pair_of_rows_and_its_inverse_restores_it(T: Triangul
     before = {tuple(sorted(e)) for e in T.diagonals.tolist()}
     for (a, b), fits in zip(T.diagonals.tolist(), flippable(T), strict=True):
         if not fits:
-            with pytest.raises(ValueError, match="diagonal .* cannot be flipped: quadrilateral .* not strictly convex"):
+            with pytest.raises(
+                ValueError, match=r"diagonal .* cannot be flipped: quadrilateral .* not strictly convex"
+            ):
                 flip(T, (a, b))
             continue
         c, d = oracle.quadrilaterals(T.triangles)[min(a, b), max(a, b)]
