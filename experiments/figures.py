@@ -1,6 +1,7 @@
 """The figures: each function draws one of the paper's figures, or one of ours, and names its file."""
 
 from collections.abc import Callable
+from functools import partial
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -60,36 +61,38 @@ def gallery_sheet() -> Figure:
     return figure
 
 
-def table_1() -> Figure:
+def table_1(path: str) -> Figure:
     """Where the remeshed triangulation lies in the distribution of the random ones, curve by curve."""
     table = pd.read_csv(RESULTS / "table1.csv")
-    figure, axes = plt.subplots(2, 2, figsize=(7.2, 7.4), sharey=True)
-    for row, measure in zip(axes, ("AR_1e-4", "Var"), strict=True):
-        for ax, path in zip(row, ("linear", "slide"), strict=True):
-            _distributions(ax, table[table.path == path], measure)
-            ax.set_title(f"{'AR at 1e-4' if measure != 'Var' else 'Var'}, {path}")
-    axes[0, 0].legend(loc="lower right")
+    figure, axes = plt.subplots(1, 3, figsize=(7.2, 6.0), sharey=True)
+    titles = {"AR_1e-4": "AR at tolerance 1e-4", "AR_1e-9": "AR at tolerance 1e-9", "Var": "Var"}
+    for ax, (measure, title) in zip(axes, titles.items(), strict=True):
+        _distributions(ax, table[table.path == path], measure)
+        ax.set_title(title)
+    axes[2].set(xscale="log", xticks=[1e-12, 1e-9, 1e-6, 1e-3])
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
     return figure
 
 
 def _distributions(ax: Axes, table: pd.DataFrame, measure: str) -> None:
     wide = table.pivot(index="curve", columns="triangulation", values=measure).reindex(table.curve.unique()[::-1])
     y = np.arange(len(wide))
-    ax.hlines(y, wide.uniform_min, wide.uniform_max, color=draw.RANDOM, linewidth=0.7, label="uniform: all")
-    ax.hlines(y, wide.uniform_q25, wide.uniform_q75, color=draw.RANDOM, linewidth=4, label="uniform: middle half")
-    ax.scatter(wide["first"], y, s=14, marker="|", color=draw.PIVOT, label="first split", zorder=3)
-    ax.scatter(wide["last"], y, s=14, marker="x", color=draw.PIVOT, linewidths=0.8, label="last split", zorder=3)
-    ax.scatter(wide.remeshed, y, s=18, color=draw.SOURCE, label="remeshed", zorder=4)
+    ax.hlines(y, wide.uniform_min, wide.uniform_max, color=draw.RANDOM, linewidth=0.8, label="uniform: all")
+    ax.hlines(y, wide.uniform_q25, wide.uniform_q75, color=draw.RANDOM, linewidth=4, label="middle half")
+    ax.scatter(wide["first"], y, s=18, marker="|", color=draw.PIVOT, label="first split", zorder=3)
+    ax.scatter(wide["last"], y, s=12, marker="x", color=draw.PIVOT, linewidths=0.8, label="last split", zorder=3)
+    ax.scatter(wide.remeshed, y, s=16, color=draw.SOURCE, label="remeshed", zorder=4)
     ax.set_yticks(y, [name.replace("_", " ") for name in wide.index], fontsize=7)
-    if measure == "Var":
-        ax.set_xscale("log")
+    ax.set_ylim(-0.8, len(wide) - 0.2)
+    ax.locator_params(axis="x", integer=True)
 
 
 FIGURES: dict[str, Callable[[], Figure]] = {
     "figure_03_dual_graphs": figure_3,
     "figure_06_random_remeshed": figure_6,
     "gallery": gallery_sheet,
-    "table_1": table_1,
+    "table_1_linear": partial(table_1, "linear"),
+    "table_1_slide": partial(table_1, "slide"),
 }
 
 

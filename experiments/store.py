@@ -5,6 +5,8 @@ import json
 import os
 import shutil
 import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +18,21 @@ RESULTS = ROOT / "results"
 FIGURES = RESULTS / "figures"
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write beside the file, then rename: a reader, or an interruption, never meets half a file."""
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """Offer a file beside the path to write to, then rename it: nobody ever meets half a file."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
-    temporary.write_text(text, encoding="utf-8", newline="\n")
-    os.replace(temporary, path)
+    temporary = path.with_name(f".{os.getpid()}.{path.name}")
+    try:
+        yield temporary
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def write_text(path: Path, text: str) -> None:
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
 
 
 def write_csv(path: Path, table: pd.DataFrame) -> None:
@@ -34,11 +45,9 @@ def write_json(path: Path, content: Any) -> None:
 
 def save_figure(figure: Any, name: str) -> Path:
     """Save as PNG without the metadata that would change its bytes."""
-    FIGURES.mkdir(parents=True, exist_ok=True)
     path = FIGURES / f"{name}.png"
-    temporary = FIGURES / f".{name}.{os.getpid()}.png"
-    figure.savefig(temporary, metadata={"Software": None})
-    os.replace(temporary, path)
+    with replacing(path) as temporary:
+        figure.savefig(temporary, metadata={"Software": None})
     return path
 
 
