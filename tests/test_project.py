@@ -27,6 +27,7 @@ LAYERS = (
     {"align"},
     {"morph"},
     {"metrics", "certificate", "baselines"},
+    {"handwriting"},
     {"gallery", "io"},
     {"plot"},
 )

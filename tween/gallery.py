@@ -11,28 +11,35 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import BSpline
 
 from tween.curve import Curve
 from tween.errors import CurveError
-from tween.generators import GRID, on_grid, random_disk, ribbon, xy
+from tween.generators import GRID, evenly, on_grid, random_disk, ribbon, xy, zigzag
+from tween.handwriting import PEN, letter, letters, spine_of
 
-__all__ = ["GRID", "PEN", "curve", "describe", "letter", "letters", "names", "random_disk", "ribbon"]
+__all__ = [
+    "GRID",
+    "PEN",
+    "curve",
+    "describe",
+    "describe_pair",
+    "letter",
+    "letters",
+    "names",
+    "pair",
+    "pairs",
+    "random_disk",
+    "ribbon",
+    "zigzag",
+]
 
-PEN = 1.1
-"""Width of the pen for letters, in units of the Hershey fonts, whose capitals are 21 units high."""
 
 _Floats = NDArray[np.float64]
 _Complexes = NDArray[np.complex128]
 
 _CAP = 3  # points of a rounded end
 _FINE = 2400  # points of a path before it is resampled
-
-
-_LETTERS = "CDIJLOPQRSUVZcdeloz"
-_BASE_LINE = 9  # of the font, whose y runs down
-_STEP = 1.3  # between points along a letter
-_NARROWING = 0.75 ** np.arange(20)  # of the pen, down to 0.005
+_ZIGZAG = 90  # vertices of the strips that share a triangulation
 
 
 def names() -> tuple[str, ...]:
@@ -103,84 +110,97 @@ def describe(name: str) -> str:
     return _entry(name)[0]
 
 
-def letters() -> tuple[str, ...]:
-    """List the letters that one stroke draws and that `letter` writes with the full `PEN`.
+def pairs() -> tuple[str, ...]:
+    """List the named pairs, the rows of our Figure 11.
 
     Returns
     -------
     tuple of str
-        All but C, U and c cross themselves.
+        The remeshed triangulations of the first three are compatible, those of the others are not.
 
     Examples
     --------
-    >>> "".join(letters())
-    'CDIJLOPQRSUVZcdeloz'
+    >>> len(pairs())
+    7
+
+    References
+    ----------
+    Mukherjee and Gopi, Figure 11, whose curves are unpublished.
     """
-    return tuple(_LETTERS)
+    return tuple(_PAIRS)
 
 
 @cache
-def letter(char: str, width: float | None = None) -> Curve:
-    """Write a character with a pen: a `ribbon` along its longest stroke in the Hershey script font.
+def pair(name: str) -> tuple[Curve, Curve]:
+    """Make a named pair of curves.
 
     Parameters
     ----------
-    char : str
-        A printable ASCII character; further strokes of it are left out.
-    width : float, optional
-        Width of the pen in font units (capitals are 21 high), at least 0.01.  Without it, `PEN`,
-        narrowed by a quarter as often as the tightest bend asks for.
+    name : str
+        One of `pairs`.
 
     Returns
     -------
-    Curve
-        60 to 120 vertices; y up, letters stand on y = 0.
+    source, target : Curve
 
     Raises
     ------
     CurveError
-        Where the font has no stroke for the character, listing those it has; or where the given width
-        is too large, naming the character and the vertex of the spine.
-
-    Notes
-    -----
-    The drawn points control a cubic B-spline, which rounds corners and never overshoots; the spine is
-    taken from it evenly by arc length.
+        Where there is no such name; the message lists those there are.
 
     Examples
     --------
-    >>> letter("e")
-    Curve(62 vertices, turning number 1)
-
-    References
-    ----------
-    A. V. Hershey, *Calligraphy for computers*, U.S. Naval Weapons Laboratory, report 2101 (1967).
+    >>> pair("ell_to_two_loops")
+    (Curve(47 vertices, turning number 1), Curve(122 vertices, turning number 1))
     """
-    if width is not None and not width >= 0.01:
-        raise CurveError(f"letter {char!r}: the pen is {width:g} wide, expected at least 0.01")
-    spine = _handwriting(char)
-    for pen in PEN * _NARROWING if width is None else [width]:
-        try:
-            return Curve(on_grid(ribbon(spine, pen, _CAP).points))
-        except CurveError as error:
-            fault = error
-    raise CurveError(f"letter {char!r}: {fault}")
+    return _pair_entry(name)[1]()
+
+
+def describe_pair(name: str) -> str:
+    """Say in one sentence what a named pair shows.
+
+    Parameters
+    ----------
+    name : str
+        One of `pairs`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    CurveError
+        Where there is no such name; the message lists those there are.
+
+    Examples
+    --------
+    >>> describe_pair("e_to_l")
+    'A handwritten e becomes an l: both cross themselves.'
+    """
+    return _pair_entry(name)[0]
+
+
+def _pair_entry(name: str) -> tuple[str, Callable[[], tuple[Curve, Curve]]]:
+    if name not in _PAIRS:
+        raise CurveError(f"there is no pair {name!r}; expected one of {', '.join(_PAIRS)}")
+    return _PAIRS[name]
 
 
 # Named curves
 
 
 def _strip(spine: Callable[[_Floats], _Complexes], start: float, stop: float, m: int, width: float) -> _Floats:
-    return ribbon(_even(xy(spine(np.linspace(start, stop, _FINE))), m), width, _CAP).points
+    return ribbon(evenly(xy(spine(np.linspace(start, stop, _FINE))), m), width, _CAP).points
 
 
 def _spiral(turns: float, m: int) -> _Floats:
     return _strip(lambda t: (0.9 + t) * _unit(t), 0, turns, m, 0.66)
 
 
-def _trochoid(stop: float, m: int) -> _Floats:
+def _rolling(t: _Floats) -> _Complexes:
     """The way of a point far outside the rim of a rolling wheel: one loop a turn."""
-    return _strip(lambda t: 3.2 * t - 1.6j * _unit(-t), -0.5, stop, m, 0.8)
+    return 3.2 * t - 1.6j * _unit(-t)
 
 
 def _egg() -> _Floats:
@@ -230,8 +250,8 @@ _CURVES: dict[str, tuple[str, Callable[[], _Floats]]] = {
         "A horseshoe bent until its two ends lie over each other.",
         lambda: _strip(lambda t: (2 - 0.75 * t) * (1.06j * _unit(t) + 0.12j * _unit(-t)), -0.64, 0.64, 42, 1.2),
     ),
-    "loop": ("A ribbon that makes a loop and crosses itself.", lambda: _trochoid(0.45, 40)),
-    "two_loops": ("A ribbon that makes two loops, one after the other.", lambda: _trochoid(1.45, 58)),
+    "loop": ("A ribbon that makes a loop and crosses itself.", lambda: _strip(_rolling, -0.5, 0.45, 40, 0.8)),
+    "two_loops": ("A ribbon that makes two loops, one after the other.", lambda: _strip(_rolling, -0.5, 1.45, 58, 0.8)),
     "pretzel": (
         "A ribbon tied like a pretzel: it crosses itself in the middle, and its ends reach over its bows.",
         lambda: _strip(lambda t: 4 * np.sin(1.6 * t) * np.cos(0.2 * t) + 3j * np.cos(2 * t), -2.6, 2.55, 60, 0.8),
@@ -252,6 +272,56 @@ def _entry(name: str) -> tuple[str, Callable[[], _Floats]]:
     return _CURVES[name]
 
 
+def _ends(first: str, second: str) -> tuple[Curve, Curve]:
+    return curve(first), curve(second)
+
+
+def _zigzag(path: _Floats, width: float) -> Curve:
+    return Curve(on_grid(zigzag(evenly(path, _ZIGZAG), width).points))
+
+
+def _path(spine: Callable[[_Floats], _Complexes], start: float, stop: float) -> _Floats:
+    return xy(spine(np.linspace(start, stop, _FINE)))
+
+
+_PAIRS: dict[str, tuple[str, Callable[[], tuple[Curve, Curve]]]] = {
+    "spiral_to_ess": (
+        "A spiral unwinds and bends the other way, to an S.",
+        lambda: (
+            _zigzag(_path(lambda t: (1.6 + 1.4 * t) * _unit(t), 0, 1.4), 1.0),
+            _zigzag(_path(lambda t: -2.4 * np.sin(2 * t) + 4.2j * np.sin(t), -2.2, 2.2), 1.1),
+        ),
+    ),
+    "horseshoe_to_loop": (
+        "A horseshoe whose ends overlap turns into a ribbon with a loop.",
+        lambda: (
+            _zigzag(_path(lambda t: (2 - 0.75 * t) * (1.06j * _unit(t) + 0.12j * _unit(-t)), -0.64, 0.64), 1.2),
+            _zigzag(_path(_rolling, -0.5, 0.45), 0.8),
+        ),
+    ),
+    "e_to_l": (
+        "A handwritten e becomes an l: both cross themselves.",
+        lambda: (_zigzag(spine_of("e", _FINE), 1.1), _zigzag(spine_of("l", _FINE), 1.1)),
+    ),
+    "lobes_to_spiral": (
+        "A clover of three overlapping lobes becomes a spiral strip.",
+        lambda: _ends("three_lobes", "spiral_2"),
+    ),
+    "ell_to_two_loops": (
+        "A simple letter L becomes a ribbon that overlaps itself twice.",
+        lambda: _ends("ell", "two_loops"),
+    ),
+    "arrow_to_horseshoe": (
+        "An arrow becomes an overlapped horseshoe; the tail of one is an end of the other.",
+        lambda: _ends("arrow", "horseshoe"),
+    ),
+    "comb_to_winding": (
+        "A comb of six teeth becomes a ramp that covers part of the plane three times.",
+        lambda: _ends("comb", "winding_3"),
+    ),
+}
+
+
 # Paths
 
 
@@ -259,19 +329,8 @@ def _unit(turns: _Floats) -> _Complexes:
     return np.exp(2j * np.pi * turns)
 
 
-def _length(path: _Floats) -> float:
-    return float(np.hypot(*np.diff(path, axis=0).T).sum())
-
-
-def _even(path: _Floats, m: int) -> _Floats:
-    """Take m points of a path, evenly by arc length."""
-    s = np.append(0.0, np.cumsum(np.hypot(*np.diff(path, axis=0).T)))
-    at = np.linspace(0, s[-1], m)
-    return np.stack([np.interp(at, s, path[:, 0]), np.interp(at, s, path[:, 1])], axis=1)
-
-
 def _closed(z: _Complexes, n: int) -> _Floats:
-    return _even(xy(np.append(z, z[0])), n + 1)[:-1]
+    return evenly(xy(np.append(z, z[0])), n + 1)[:-1]
 
 
 def _outline(corners: ArrayLike, step: float) -> _Floats:
@@ -280,33 +339,3 @@ def _outline(corners: ArrayLike, step: float) -> _Floats:
     side = np.roll(start, -1) - start
     pieces = np.maximum(1, np.round(np.abs(side) / step)).astype(int)
     return xy(np.concatenate([a + d * np.arange(k) / k for a, d, k in zip(start, side, pieces, strict=True)]))
-
-
-# Handwriting
-
-
-@cache
-def _strokes() -> dict[str, _Floats]:
-    """Longest stroke of every character that has one, shape (k, 2), y up."""
-    from HersheyFonts import HersheyFonts  # here, as only letters need it
-
-    font = HersheyFonts()
-    font.load_default_font("scripts")
-    longest = {}
-    for char in map(chr, range(32, 127)):
-        strokes = [np.array(stroke, dtype=np.float64) for stroke in font.strokes_for_text(char)]
-        if strokes:
-            longest[char] = np.array([0, _BASE_LINE]) + [1, -1] * max(strokes, key=_length)
-    return longest
-
-
-def _handwriting(char: str) -> _Floats:
-    """Spine of a character: a clamped B-spline with the points of the stroke as control points."""
-    if char not in _strokes():
-        raise CurveError(f"the font has no stroke for {char!r}; expected one of {' '.join(_strokes())}")
-    stroke = _strokes()[char]
-    stroke = stroke[np.append(True, (stroke[1:] != stroke[:-1]).any(axis=1))]
-    degree = min(3, len(stroke) - 1)
-    knots = np.pad(np.linspace(0, 1, len(stroke) - degree + 1), degree, mode="edge")
-    m = int(np.clip(_length(stroke) / _STEP, 28, 56))
-    return _even(BSpline(knots, stroke, degree)(np.linspace(0, 1, _FINE)), m)

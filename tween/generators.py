@@ -3,6 +3,8 @@
 Legend: ``n`` vertices of a curve, ``m`` of a spine.
 """
 
+from typing import NoReturn
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -75,6 +77,42 @@ def ribbon(spine: ArrayLike, width: float, cap: int = 0) -> Curve:
     return strip
 
 
+def zigzag(path: ArrayLike, width: float) -> Curve:
+    """Widen an open path to a strip whose vertices lie in turn on its right and on its left side.
+
+    Parameters
+    ----------
+    path : array_like, shape (n, 2), n >= 3
+        Points along the path, a vertex each.
+    width : float
+        Distance between the two sides.
+
+    Returns
+    -------
+    Curve
+        n vertices: along the right side, and back along the left.  Where the path bends gently, the
+        zigzag between the sides is its constrained Delaunay triangulation, so that strips with equally
+        many vertices have compatible ones.
+
+    Raises
+    ------
+    CurveError
+        As `ribbon`.
+
+    Examples
+    --------
+    >>> zigzag([[0, 0], [1, 0], [2, 0], [3, 0]], 2).points.tolist()
+    [[0.0, -1.0], [2.0, -1.0], [3.0, 1.0], [1.0, 1.0]]
+    """
+    spine, half = _checked_spine(path, width), 0.5 * width
+    miters, radius = _bends(spine)
+    side = np.where(np.arange(len(spine)) % 2, 1.0, -1.0)
+    p = spine + half * side[:, None] * miters
+    for i in np.flatnonzero(orient2d(p[:-2], p[1:-1], p[2:]) * side[1:-1] > 0):
+        _too_tight(int(i) + 1, radius, half)
+    return Curve(np.concatenate([p[::2], p[1::2][::-1]]))
+
+
 def random_disk(n: int, rng: np.random.Generator) -> Triangulation:
     """Grow a random immersed disk by gluing triangles to its boundary.
 
@@ -114,6 +152,38 @@ def random_disk(n: int, rng: np.random.Generator) -> Triangulation:
     while following[along[-1]]:
         along.append(following[along[-1]])
     return Triangulation(xy(np.array(places)[along]), np.argsort(along)[triangles])
+
+
+def length(path: NDArray[np.float64]) -> float:
+    """Measure an open path.
+
+    Parameters
+    ----------
+    path : ndarray of float64, shape (m, 2)
+
+    Returns
+    -------
+    float
+    """
+    return float(np.hypot(*np.diff(path, axis=0).T).sum())
+
+
+def evenly(path: NDArray[np.float64], m: int) -> NDArray[np.float64]:
+    """Take points of a path, evenly by arc length, both ends included.
+
+    Parameters
+    ----------
+    path : ndarray of float64, shape (k, 2)
+    m : int
+        How many.
+
+    Returns
+    -------
+    ndarray of float64, shape (m, 2)
+    """
+    s = np.append(0.0, np.cumsum(np.hypot(*np.diff(path, axis=0).T)))
+    at = np.linspace(0, s[-1], m)
+    return np.stack([np.interp(at, s, path[:, 0]), np.interp(at, s, path[:, 1])], axis=1)
 
 
 def xy(z: ArrayLike) -> NDArray[np.float64]:
@@ -177,8 +247,12 @@ def _check_strip(right: _Floats, left: _Floats, radius: _Floats, half: float) ->
     lower, upper = orient2d(right[:-1], right[1:], left[:-1]), orient2d(right[1:], left[1:], left[:-1])
     for q in np.flatnonzero((lower <= 0) | (upper <= 0)):
         i = q + int(radius[q + 1] < radius[q])
-        found = f"radius of curvature {radius[i]:.3g} is not above half the width, {half:.3g}"
-        raise CurveError(f"spine vertex {i}: {found}; take a narrower ribbon")
+        _too_tight(int(i), radius, half)
+
+
+def _too_tight(i: int, radius: _Floats, half: float) -> NoReturn:
+    found = f"radius of curvature {radius[i]:.3g} is not above half the width, {half:.3g}"
+    raise CurveError(f"spine vertex {i}: {found}; take a narrower ribbon")
 
 
 def _half_circle(start: _Floats, end: _Floats, count: int) -> _Floats:
