@@ -25,6 +25,7 @@ LAYERS = (
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},
+    {"motion"},
     {"morph"},
     {"metrics", "certificate", "baselines"},
     {"handwriting"},

@@ -12,7 +12,8 @@ from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError,
 from tween.flips import flip, flippable, locally_delaunay, remesh
 from tween.gradual import Event
 from tween.metrics import area_matrix, area_rank, frame_variance
-from tween.morph import Morph, morph
+from tween.morph import morph
+from tween.motion import Morph
 from tween.predicates import incircle, orient2d
 from tween.triangulation import Triangulation, compatible_shift
 

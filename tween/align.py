@@ -160,7 +160,7 @@ def match(
         first_origin,
         np.roll(second_origin, -shift),
         spine(first),
-        spine(moved),
+        spine(second),
         pivot,
         count_crossings(first, moved),
     )
@@ -293,14 +293,13 @@ def equal_counts(source: Any, target: Any) -> tuple[Triangulation, Triangulation
     count = max(len(as_curve(source)), len(as_curve(target)))
     shapes, origins = [], []
     for shape in (source, target):
-        n = len(as_curve(shape))
-        if n == count:
-            shapes.append(triangulate(shape))
-            origins.append(np.arange(n))
-        else:
-            filled = Curve(as_curve(shape).points).insert_vertices(count)
-            shapes.append(triangulate(filled))
-            origins.append(filled.origin.astype(np.int64))
+        curve = as_curve(shape)
+        rows = np.arange(len(curve)) if isinstance(shape, (Curve, Triangulation)) else curve.origin
+        if len(curve) < count:
+            shape = Curve(curve.points).insert_vertices(count)
+            rows = np.where(shape.origin < 0, -1, rows[shape.origin])
+        shapes.append(triangulate(shape))
+        origins.append(rows.astype(np.int64))
     return shapes[0], shapes[1], origins[0], origins[1]
 
 

@@ -131,7 +131,7 @@ def _root_base(
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = float(np.angle(e2 / e1))
     if abs(abs(turn) - np.pi) < _HALF_TURN:
-        turn = np.copysign(turn, e1.imag if e1.imag != 0 else e1.real)
+        turn = np.copysign(turn, e1.imag if abs(e1.imag) > _HALF_TURN * abs(e1) else e1.real)
     length = (1 - t) * abs(e1) + t * abs(e2)
     e = length * np.exp(1j * (np.angle(e1) + t * turn))
     centre = (1 - t) * source.mean() + t * target.mean()

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.morph import Morph
+from tween.motion import Morph
 
 HEADLINE_RTOL = 1e-6
 """Relative tolerance at which `area_rank` is reported where one number must do."""

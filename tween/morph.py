@@ -5,199 +5,29 @@ the other, and turned around where the caller wants it the other way: so a morph
 ties are broken on the way.
 """
 
-from typing import Any, Literal, Protocol
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.align import Alignment, common, equal_counts, least_distorted, match, pivot_shift
+from tween.align import Alignment, Shifts, common, equal_counts, least_distorted, match, pivot_shift
 from tween.compatible import Leg, root_triangle
 from tween.curve import Curve, as_curve
 from tween.decomposition import decompose
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.flips import flip_in_place
 from tween.gradual import Event, Flow, Order, Through
+from tween.motion import Morph
 from tween.paths import PATHS, Path
-from tween.sequence import FlipSequence, flip_sequence
+from tween.sequence import FlipSequence, crossings_by_shift, flip_sequence
 from tween.triangulation import Triangulation, compatible_shift, match_rows
 
 Root = Literal["disk-center", "tree-center"] | int
 Strategy = Literal["auto", "paper", "common"]
 
 
-class Motion(Protocol):
-    """What a `Morph` runs.
-
-    Attributes
-    ----------
-    stages : list of (float, ndarray)
-        The triangles in force, and from when on.
-    events : list of Event
-        The flips, in order of time.
-    """
-
-    stages: list[tuple[float, NDArray[np.int64]]]
-    events: list[Event]
-
-    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the shapes at many times.
-
-        Parameters
-        ----------
-        t : ndarray of float64, shape (k,)
-            From 0 to 1.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, n, 2)
-        """
-
-
-class Morph:
-    """A morph between two shapes; made by `morph`.
-
-    Calling it with a time, 0 to 1, gives the shape at that time.
-
-    Attributes
-    ----------
-    source, target : Triangulation
-        What it leads from and to; vertex i of one moves to vertex i of the other.
-    source_vertices, target_vertices : ndarray of int, shape (n,)
-        Which vertex of the input each vertex is; -1 where it was inserted.
-    alignment : Alignment
-        How the two were matched.
-    events : list of Event
-        The flips on the way, in order of time; none between compatible triangulations.
-    u, v : float or None
-        When the flow of the source, and that of the target, has done its last flip; None without flips.
-    """
-
-    def __init__(
-        self,
-        motion: Motion,
-        alignment: Alignment,
-        backwards: bool,
-        shift: int,
-        flows: tuple[float, float] | None = None,
-    ) -> None:
-        self.alignment = alignment
-        self.source, self.target = alignment.source, alignment.target
-        self.source_vertices, self.target_vertices = alignment.source_vertices, alignment.target_vertices
-        self.u: float | None = flows[0] if flows else None
-        self.v: float | None = flows[1] if flows else None
-        self._motion, self._backwards, self._shift = motion, backwards, shift
-        self._stages = self._own_stages()
-        self.events = [self._own_event(e) for e in (reversed(motion.events) if backwards else motion.events)]
-
-    def __call__(self, t: float) -> NDArray[np.float64]:
-        """Return the shape at one time.
-
-        Parameters
-        ----------
-        t : float
-            From 0, the source, to 1, the target.
-
-        Returns
-        -------
-        ndarray of float64, shape (n, 2)
-        """
-        return self.at([t])[0]
-
-    def at(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Return the shapes at many times at once.
-
-        Parameters
-        ----------
-        times : array_like of float, shape (k,)
-            From 0 to 1, in any order.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, n, 2)
-            At times 0 and 1 exactly the source and the target.
-
-        Raises
-        ------
-        ValueError
-            Where a time is not between 0 and 1.
-
-        Notes
-        -----
-        O(n k).
-        """
-        t = np.asarray(times, dtype=np.float64)
-        if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
-            raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
-        shapes = np.roll(self._motion.at(1 - t if self._backwards else t), self._shift, axis=1)
-        shapes[t == 0] = self.source.points
-        shapes[t == 1] = self.target.points
-        return shapes
-
-    def frames(self, k: int) -> NDArray[np.float64]:
-        """Return k shapes, evenly spaced in time, both ends included.
-
-        Parameters
-        ----------
-        k : int
-            At least 2.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, n, 2)
-        """
-        return self.at(np.linspace(0.0, 1.0, k))
-
-    def triangles_at(self, t: float) -> NDArray[np.int64]:
-        """Return the triangles in force at a time.
-
-        Parameters
-        ----------
-        t : float
-
-        Returns
-        -------
-        ndarray of int, shape (n-2, 3)
-            The two triangles of a flip keep their rows.
-        """
-        return self._stages[self.stage_at(np.array([t]))[0]][1]
-
-    def stage_at(self, times: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Tell between which flips times lie: equal numbers, equal triangles.
-
-        Parameters
-        ----------
-        times : ndarray of float64, shape (k,)
-
-        Returns
-        -------
-        ndarray of int, shape (k,)
-        """
-        starts = np.array([start for start, _ in self._stages])
-        return np.searchsorted(starts, times, side="right") - 1
-
-    def _own_stages(self) -> list[tuple[float, NDArray[np.int64]]]:
-        """The motion's stages in this morph's time, vertices and rows."""
-        stages = [(s, (triangles + self._shift) % len(self.source)) for s, triangles in self._motion.stages]
-        if self._backwards:
-            starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
-            stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
-        rows = match_rows(stages[0][1], self.source.triangles)
-        return [(s, triangles[rows]) for s, triangles in stages]
-
-    def _own_event(self, event: Event) -> Event:
-        time, out, into = event
-        if self._backwards:
-            time, out, into = 1 - time, into, out
-        n, shift = len(self.source), self._shift
-        own = [((a + shift) % n, (b + shift) % n) for a, b in (out, into)]
-        return Event(time, (min(own[0]), max(own[0])), (min(own[1]), max(own[1])))
-
-    def __repr__(self) -> str:
-        return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"
-
-
 class _Compatible:
-    """One leg, no flips, as a `Motion`."""
+    """One leg, no flips, as a `tween.motion.Motion`."""
 
     def __init__(self, leg: Leg) -> None:
         self._leg = leg
@@ -215,6 +45,7 @@ def morph(
     root: Root = "disk-center",
     strategy: Strategy = "auto",
     order: Order = "partial",
+    shifts: Shifts = "pivots",
 ) -> Morph:
     """Morph one immersed disk into another.
 
@@ -236,6 +67,10 @@ def morph(
         triangulations that were given are kept ("paper").
     order : {"partial", "sequential"}
         Whether flips that do not depend on each other wait for each other, see `tween.gradual`.
+    shifts : {"pivots", "all"} or int
+        Which vertices correspond.  "pivots": as above.  "all": of all renumberings the one whose common
+        triangulation distorts least, or, where triangulations are flipped, that with fewest crossings.
+        A number k: vertex i of the source and vertex (i + k) mod n of the target, inserted vertices counted.
 
     Returns
     -------
@@ -266,11 +101,12 @@ def morph(
     ----------
     Mukherjee and Gopi, Sections 5 and 6.
     """
-    _check_options(path, strategy, order)
+    _check_options(path, strategy, order, shifts)
     _check_disks(source, target)
     swapped = _key(source) > _key(target)
     first, second = (target, source) if swapped else (source, target)
-    alignment = _align_for(strategy, first, second)
+    turned = shifts if isinstance(shifts, str) else int(-shifts if swapped else shifts)
+    alignment = _align_for(strategy, first, second, turned)
     own = alignment.exchanged() if swapped else alignment
     shift = alignment.shift if swapped else 0
     if alignment.crossings == 0:
@@ -279,7 +115,9 @@ def morph(
     return _gradual_morph(alignment, own, swapped, shift, path, root, order)
 
 
-def _check_options(path: str, strategy: str, order: str) -> None:
+def _check_options(path: str, strategy: str, order: str, shifts: Shifts) -> None:
+    if shifts not in ("pivots", "all") and (isinstance(shifts, str) or int(shifts) != shifts):
+        raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
     for name, value, allowed in (
         ("path", path, PATHS),
         ("strategy", strategy, ("auto", "paper", "common")),
@@ -303,37 +141,49 @@ def _key(shape: Any) -> tuple[int, bytes]:
     return len(points), points.astype(">f8").tobytes()
 
 
-def _align_for(strategy: Strategy, source: Any, target: Any) -> Alignment:
+def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> Alignment:
     keep = isinstance(source, Triangulation) or isinstance(target, Triangulation)
     first, second, *origins = equal_counts(source, target)
     if strategy == "common" or (strategy == "auto" and not keep):
-        found = _align_commonly(first, second, origins)
+        found = _align_commonly(first, second, shifts)
         if found is not None:
-            return found
+            shift, shared, pivot = found
+            same = Triangulation(second.points, (shared.triangles + shift) % len(first))
+            return match(shared, same, shift, pivot, *origins)
         if strategy == "common":
+            tried = "the renumbering asked for" if isinstance(shifts, int) else f"any of the {len(first)} renumberings"
             raise IncompatibleError(
-                "strategy 'common' is impossible: the curves have no common triangulation under any of the "
-                f"{len(first)} renumberings; strategy='paper' flips on the way"
+                f"strategy 'common' is impossible: the curves have no common triangulation under {tried}; "
+                "strategy='paper' flips on the way"
             )
-    shift = compatible_shift(first, second)
-    if shift is not None:
-        return match(first, second, shift, None, *origins)
-    return match(first, second, *pivot_shift(first, second), *origins)
+    return match(first, second, *_flipping_shift(first, second, shifts), *origins)
 
 
-def _align_commonly(first: Triangulation, second: Triangulation, origins: list[NDArray[np.int64]]) -> Alignment | None:
-    """With a common triangulation, under the pivots' correspondence or else the least distorting one."""
-    n = len(first)
-    shift, at_pivots = pivot_shift(first, second)
-    shared, pivot = common(first, second.rolled(shift)), None
-    if shared is not None:
-        pivot = at_pivots
-    else:
-        found = least_distorted(first, second)
-        if found is None:
+def _align_commonly(
+    first: Triangulation, second: Triangulation, shifts: Shifts
+) -> tuple[int, Triangulation, int | None] | None:
+    """The (shift, triangulation, pivot) of a common triangulation, None where there is none."""
+    if shifts != "all":
+        shift, pivot = pivot_shift(first, second) if shifts == "pivots" else (shifts % len(first), None)
+        shared = common(first, second.rolled(shift))
+        if shared is not None:
+            return shift, shared, pivot
+        if shifts != "pivots":
             return None
-        shift, shared = found
-    return match(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, pivot, *origins)
+    found = least_distorted(first, second)
+    return (*found, None) if found is not None else None
+
+
+def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts) -> tuple[int, int | None]:
+    """The (shift, pivot) under which two triangulations are to be flipped into each other."""
+    if isinstance(shifts, int):
+        return shifts % len(first), None
+    compatible = compatible_shift(first, second)
+    if compatible is not None:
+        return compatible, None
+    if shifts == "pivots":
+        return pivot_shift(first, second)
+    return int(np.argmin(crossings_by_shift(first, second, np.arange(len(first))))), None
 
 
 def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root) -> Leg:

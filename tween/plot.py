@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tween.curve import Curve, as_curve
 from tween.dual import hops, smallest_triangle
-from tween.morph import Morph
+from tween.motion import Morph
 from tween.triangulation import Triangulation
 
 SOURCE, TARGET, TREE, PIVOT, RANDOM, FAILURE = "#0072B2", "#E69F00", "#009E73", "#AA3377", "0.55", "#D1261B"

@@ -1,0 +1,181 @@
+"""What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tween.align import Alignment
+from tween.gradual import Event
+from tween.triangulation import match_rows
+
+
+class Motion(Protocol):
+    """What a `Morph` runs.
+
+    Attributes
+    ----------
+    stages : list of (float, ndarray)
+        The triangles in force, and from when on.
+    events : list of Event
+        The flips, in order of time.
+    """
+
+    stages: list[tuple[float, NDArray[np.int64]]]
+    events: list[Event]
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at many times.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+
+
+class Morph:
+    """A morph between two shapes; made by `tween.morph`.
+
+    Calling it with a time, 0 to 1, gives the shape at that time.
+
+    Attributes
+    ----------
+    source, target : Triangulation
+        What it leads from and to; vertex i of one moves to vertex i of the other.
+    source_vertices, target_vertices : ndarray of int, shape (n,)
+        Which vertex of the input each vertex is; -1 where it was inserted.
+    alignment : Alignment
+        How the two were matched.
+    events : list of Event
+        The flips on the way, in order of time; none between compatible triangulations.
+    u, v : float or None
+        When the flow of the source, and that of the target, has done its last flip; None without flips.
+    """
+
+    def __init__(
+        self,
+        motion: Motion,
+        alignment: Alignment,
+        backwards: bool,
+        shift: int,
+        flows: tuple[float, float] | None = None,
+    ) -> None:
+        self.alignment = alignment
+        self.source, self.target = alignment.source, alignment.target
+        self.source_vertices, self.target_vertices = alignment.source_vertices, alignment.target_vertices
+        self.u: float | None = flows[0] if flows else None
+        self.v: float | None = flows[1] if flows else None
+        self._motion, self._backwards, self._shift = motion, backwards, shift
+        self._stages = self._own_stages()
+        self.events = [self._own_event(e) for e in (reversed(motion.events) if backwards else motion.events)]
+
+    def __call__(self, t: float) -> NDArray[np.float64]:
+        """Return the shape at one time.
+
+        Parameters
+        ----------
+        t : float
+            From 0, the source, to 1, the target.
+
+        Returns
+        -------
+        ndarray of float64, shape (n, 2)
+        """
+        return self.at([t])[0]
+
+    def at(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Return the shapes at many times at once.
+
+        Parameters
+        ----------
+        times : array_like of float, shape (k,)
+            From 0 to 1, in any order.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+            At times 0 and 1 exactly the source and the target.
+
+        Raises
+        ------
+        ValueError
+            Where a time is not between 0 and 1.
+
+        Notes
+        -----
+        O(n k).
+        """
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
+            raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
+        shapes = np.roll(self._motion.at(1 - t if self._backwards else t), self._shift, axis=1)
+        shapes[t == 0] = self.source.points
+        shapes[t == 1] = self.target.points
+        return shapes
+
+    def frames(self, k: int) -> NDArray[np.float64]:
+        """Return k shapes, evenly spaced in time, both ends included.
+
+        Parameters
+        ----------
+        k : int
+            At least 2.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+        return self.at(np.linspace(0.0, 1.0, k))
+
+    def triangles_at(self, t: float) -> NDArray[np.int64]:
+        """Return the triangles in force at a time.
+
+        Parameters
+        ----------
+        t : float
+
+        Returns
+        -------
+        ndarray of int, shape (n-2, 3)
+            The two triangles of a flip keep their rows.
+        """
+        return self._stages[self.stage_at(np.array([t]))[0]][1]
+
+    def stage_at(self, times: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Tell between which flips times lie: equal numbers, equal triangles.
+
+        Parameters
+        ----------
+        times : ndarray of float64, shape (k,)
+
+        Returns
+        -------
+        ndarray of int, shape (k,)
+        """
+        starts = np.array([start for start, _ in self._stages])
+        return np.searchsorted(starts, times, side="right") - 1
+
+    def _own_stages(self) -> list[tuple[float, NDArray[np.int64]]]:
+        """The motion's stages in this morph's time, vertices and rows."""
+        stages = [(s, (triangles + self._shift) % len(self.source)) for s, triangles in self._motion.stages]
+        if self._backwards:
+            starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
+            stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        rows = match_rows(stages[0][1], self.source.triangles)
+        return [(s, triangles[rows]) for s, triangles in stages]
+
+    def _own_event(self, event: Event) -> Event:
+        time, out, into = event
+        if self._backwards:
+            time, out, into = 1 - time, into, out
+        n, shift = len(self.source), self._shift
+        own = [((a + shift) % n, (b + shift) % n) for a, b in (out, into)]
+        return Event(time, (min(own[0]), max(own[0])), (min(own[1]), max(own[1])))
+
+    def __repr__(self) -> str:
+        return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"
