@@ -51,7 +51,8 @@ def parity(order: tuple[int, ...]) -> int:
 @pytest.mark.parametrize(("p", "q", "r"), KETTNER)
 def test_orient2d_is_exact_on_the_classroom_examples(p, q, r) -> None:
     grid = last_bits(p, 0, 256)
-    truth = [expected("orient2d", x, q, r) for x in grid]
+    *exact, q0, r0 = oracle.integers([*grid, q, r])
+    truth = [oracle.orient2d(x, q0, r0) for x in exact]
     assert set(truth) >= {-1, 1}
     np.testing.assert_array_equal(orient2d(grid, q, r), truth)
     np.testing.assert_array_equal(orient2d(q, r, grid), truth)
@@ -62,9 +63,21 @@ def test_incircle_is_exact_where_the_fourth_corner_of_a_rectangle_is_moved_by_la
     x, y = corner
     grid = last_bits(corner, -60, 60)
     rectangle = (x, 0.5), (12.7, 0.5), (12.7, y)
-    truth = [expected("incircle", *rectangle, d) for d in grid]
+    *exact, a, b, c = oracle.integers([*grid, *rectangle])
+    truth = [oracle.incircle(a, b, c, d) for d in exact]
     assert set(truth) == {-1, 0, 1}
     np.testing.assert_array_equal(incircle(*rectangle, grid), truth)
+
+
+def test_incircle_is_exact_beside_far_mirror_images() -> None:
+    rng = np.random.default_rng(10)
+    # a, b, and their images in the line x = y, one of them a few last bits away.
+    a, b = rng.uniform(1, 1.001, (2, 3000, 2)) * [8, 9] + rng.uniform(0, 1e-3, (2, 3000, 2))
+    c = b[:, ::-1] + rng.integers(-2, 3, (3000, 2)) * np.spacing(b[:, ::-1])
+    quadruples = np.stack([a, b, c, a[:, ::-1]])
+    truth = [expected("incircle", *points) for points in quadruples.swapaxes(0, 1)]
+    assert set(truth) == {-1, 0, 1}
+    np.testing.assert_array_equal(incircle(*quadruples), truth)
 
 
 @given(st.lists(st.tuples(exact_doubles, exact_doubles), min_size=4, max_size=4) | nudged_grids(4))
