@@ -6,6 +6,9 @@ its parent, and moves its third vertex along a path (`tween.paths`).  Points are
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
 
+import cmath
+import math
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -62,7 +65,7 @@ class Leg:
             At times 0 and 1 exactly the source and the target.
         """
         z = third_vertices(self._path, *self._thirds, self._propagates, t)
-        a, e = _root_base(self._start[0], self._end[0], z[0], t)
+        a, e = _move_root(self._start[0], self._end[0], z[0], t)
         n = len(self.source)
         laid = _lay_out(self._corners, self._tree.base, self._tree.order, self.source.twin, z, a, e, n)
         shapes = np.ascontiguousarray(laid.T).view(np.float64).reshape(len(t), n, 2)
@@ -124,18 +127,19 @@ def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
     return (c - a) / (b - a)
 
 
-def _root_base(
-    source: NDArray[np.complex128], target: NDArray[np.complex128], z: NDArray[np.complex128], t: NDArray[np.float64]
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+@njit(cache=True)
+def _move_root(source, target, z, t):
     """Move the root: (a, e) at every time, from its corners at both ends and its z on the way."""
     e1, e2 = source[1] - source[0], target[1] - target[0]
-    turn = float(np.angle(e2 / e1))
-    if abs(abs(turn) - np.pi) < _HALF_TURN:
-        turn = np.copysign(turn, e1.imag if abs(e1.imag) > _HALF_TURN * abs(e1) else e1.real)
-    length = (1 - t) * abs(e1) + t * abs(e2)
-    e = length * np.exp(1j * (np.angle(e1) + t * turn))
-    centre = (1 - t) * source.mean() + t * target.mean()
-    return centre - e * (1 + z) / 3, e
+    turn = cmath.phase(e2 / e1)
+    if abs(abs(turn) - math.pi) < _HALF_TURN:
+        turn = math.copysign(turn, e1.imag if abs(e1.imag) > _HALF_TURN * abs(e1) else e1.real)
+    a, e = np.empty_like(z), np.empty_like(z)
+    for f in range(t.size):
+        e[f] = cmath.rect((1 - t[f]) * abs(e1) + t[f] * abs(e2), cmath.phase(e1) + t[f] * turn)
+        centre = ((1 - t[f]) * (source[0] + source[1] + source[2]) + t[f] * (target[0] + target[1] + target[2])) / 3
+        a[f] = centre - e[f] * (1 + z[f]) / 3
+    return a, e
 
 
 @njit(cache=True)

@@ -10,16 +10,18 @@ Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b,
 ab that gives way to cd, as in `tween.flips`.
 """
 
+import heapq
 from collections import deque
 from typing import Literal, NamedTuple
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from tween.compatible import Leg, root_triangle
 from tween.flips import flip_in_place, is_convex, quadrilateral
 from tween.paths import Path
-from tween.predicates import orient2d
+from tween.predicates import turn
 from tween.sequence import FlipSequence
 from tween.triangulation import Triangulation, match_rows
 
@@ -154,38 +156,36 @@ class Flow:
     def _flip_all_possible(self, T: Triangulation) -> Triangulation:
         """Flip, and flip what that makes possible, until nothing more is possible in this shape."""
         triangles, twin = T.triangles.copy(), T.twin.copy()
-        again = True
-        while again:
-            again = False
-            for flip in self._waiting.ready():
-                h = _shared_edge(twin, *self._flips.rows[flip])
-                if is_convex(T.points, triangles, twin, h):
-                    flip_in_place(triangles, twin, h)
-                    self._waiting.done(flip)
-                    out, into = self._flips.out[flip].tolist(), self._flips.into[flip].tolist()
-                    self.events.append(Event(self.end, tuple(out), tuple(into)))
-                    self._stages.append(len(self.pieces))
-                    again = True
+        candidates = self._waiting.ready()
+        while candidates:
+            flip = heapq.heappop(candidates)
+            h = shared_edge(twin, *self._flips.rows[flip])
+            if is_convex(T.points, triangles, twin, h):
+                flip_in_place(triangles, twin, h)
+                out, into = self._flips.out[flip].tolist(), self._flips.into[flip].tolist()
+                self.events.append(Event(self.end, tuple(out), tuple(into)))
+                self._stages.append(len(self.pieces))
+                for freed in self._waiting.done(flip):
+                    heapq.heappush(candidates, freed)
         return Triangulation(T.points, triangles)
 
     def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
         """The first share of the leg at which a waiting flip is possible, and the shape there."""
         T = leg.source
-        edges = [_shared_edge(T.twin, *self._flips.rows[flip]) for flip in self._waiting.ready()]
+        edges = [shared_edge(T.twin, *self._flips.rows[flip]) for flip in self._waiting.ready()]
         quads = np.array([quadrilateral(T.triangles, T.twin, h) for h in edges])
         step = min(1.0, _SCAN / (1 - self.end))
         low, high = 0.0, 1.0
         while low < 1:
             shares = np.minimum(1.0, low + step * np.arange(1, _CHUNK + 1))
-            possible = _some_convex(leg.at(shares), quads)
-            if possible.any():
-                first = int(np.argmax(possible))
+            first = first_convex(leg.at(shares), quads)
+            if first >= 0:
                 low, high = (shares[first - 1] if first else low), shares[first]
                 break
             low = shares[-1]
         for _ in range(_REFINEMENTS):
             shares = np.append(low + (high - low) * np.arange(1, 16) / 16, high)
-            first = int(np.argmax(_some_convex(leg.at(shares), quads)))
+            first = first_convex(leg.at(shares), quads)
             low, high = (shares[first - 1] if first else low), shares[first]
         return float(high), leg.at(np.array([high]))[0]
 
@@ -199,19 +199,27 @@ class _Waiting:
         for flip, rows in enumerate(self._rows.tolist()):
             for row in set(rows):
                 self._queues.setdefault(row, deque()).append(flip)
-        self._left = len(flips)
+        self._ready = {flip for flip in {queue[0] for queue in self._queues.values()} if self._is_ready(flip)}
 
     def __bool__(self) -> bool:
-        return self._left > 0
+        return bool(self._ready)
 
     def ready(self) -> list[int]:
-        first = {queue[0] for queue in self._queues.values() if queue}
-        return sorted(f for f in first if all(self._queues[row][0] == f for row in self._rows[f].tolist()))
+        """The flips that are ready, in order."""
+        return sorted(self._ready)
 
-    def done(self, flip: int) -> None:
-        for row in set(self._rows[flip].tolist()):
+    def done(self, flip: int) -> list[int]:
+        """Strike a flip off, and return those that it made ready."""
+        rows = set(self._rows[flip].tolist())
+        for row in rows:
             self._queues[row].popleft()
-        self._left -= 1
+        self._ready.remove(flip)
+        freed = [f for f in {self._queues[row][0] for row in rows if self._queues[row]} if self._is_ready(f)]
+        self._ready.update(freed)
+        return freed
+
+    def _is_ready(self, flip: int) -> bool:
+        return all(self._queues[row][0] == flip for row in self._rows[flip].tolist())
 
 
 class Through:
@@ -292,17 +300,23 @@ def _steps(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
     return moved
 
 
-def _some_convex(shapes: NDArray[np.float64], quads: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """In which of the shapes, (k, n, 2), at least one of the quads is strictly convex."""
-    a, b, c, d = np.moveaxis(shapes[:, quads], 2, 0)
-    convex = np.asarray(orient2d(d, b, c) > 0) & np.asarray(orient2d(c, a, d) > 0)
-    return np.asarray(convex.any(axis=1))
+@njit(cache=True)
+def first_convex(shapes, quads):
+    """The first of the shapes, (k, n, 2), in which one of the quads, (q, 4), is strictly convex; -1 for none."""
+    for f in range(len(shapes)):
+        for a, b, c, d in quads:
+            if turn(shapes[f], d, b, c) > 0 and turn(shapes[f], c, a, d) > 0:
+                return f
+    return -1
 
 
-def _shared_edge(twin: NDArray[np.int64], t: int, u: int) -> int:
-    """The half-edge of triangle t across which triangle u lies."""
-    slot = int(np.flatnonzero(twin[t] // 3 == u)[0])
-    return int(3 * t + slot)
+@njit(cache=True)
+def shared_edge(twin, t, u):
+    """The half-edge of triangle t across which triangle u lies; -1 where they are no neighbours."""
+    for s in range(3):
+        if twin[t, s] // 3 == u:
+            return 3 * t + s
+    return -1
 
 
 def _with_points(T: Triangulation, points: NDArray[np.float64]) -> Triangulation:

@@ -16,7 +16,7 @@ from tween.curve import Curve, as_curve
 from tween.decomposition import decompose
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.flips import flip_in_place
-from tween.gradual import Event, Flow, Order, Through
+from tween.gradual import Event, Flow, Order, Through, shared_edge
 from tween.motion import Morph
 from tween.paths import PATHS, Path
 from tween.sequence import FlipSequence, crossings_by_shift, flip_sequence
@@ -225,5 +225,5 @@ def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:
     """The triangles after the flips, the pairs in their rows."""
     triangles, twin = T.triangles.copy(), T.twin.copy()
     for t, u in flips.rows.tolist():
-        flip_in_place(triangles, twin, 3 * t + int(np.flatnonzero(twin[t] // 3 == u)[0]))
+        flip_in_place(triangles, twin, shared_edge(twin, t, u))
     return triangles
