@@ -7,6 +7,7 @@ before the clock starts.
 import argparse
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from statistics import median
 from time import perf_counter
 from typing import NamedTuple
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
 from experiments import table1
-from experiments.store import Checkpoint
+from experiments.store import Checkpoint, compute
 from tween import Curve, area_matrix, decompose, gallery, morph, orient2d, remesh
 from tween.predicates import turn
 
@@ -114,12 +115,11 @@ def morphs() -> list[Timing]:
 
 
 def whole_table() -> list[Timing]:
-    names, checkpoint = table1.shapes(), Checkpoint("bench", table1.PARAMETERS)
+    names, samples = list(table1.shapes()), table1.PARAMETERS["samples"]
 
     def study() -> None:
-        checkpoint.clear()
-        list(table1.compute(names, table1.PARAMETERS["samples"], checkpoint))
-        checkpoint.clear()
+        Checkpoint("bench", {}).clear()
+        compute("bench", {}, names, partial(table1.study, samples=samples))
 
     return [Timing(f"Table 1: {len(names)} curves, 1000 samples, 100 frames, both paths", study, repeats=1)]
 

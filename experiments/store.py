@@ -5,13 +5,15 @@ import json
 import os
 import shutil
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
+from joblib import Parallel, delayed
+from tqdm import tqdm
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "results"
@@ -84,3 +86,25 @@ class Checkpoint:
     def clear(self) -> None:
         """Forget all parts, older versions' too."""
         shutil.rmtree(self._study, ignore_errors=True)
+
+
+def compute(study: str, parameters: dict[str, Any], parts: Sequence[str], work: Callable[[str], Any]) -> list[Any]:
+    """Work on the parts of a study on all cores, and return what they give, in their order.
+
+    What is finished is kept, and after an interruption only the rest is computed; once the whole is
+    done nothing is kept, so that a study that is run again is computed again.
+    """
+    checkpoint = Checkpoint(study, parameters)
+    todo = [part for part in parts if checkpoint.load(part) is None]
+    if len(todo) < len(parts):
+        print(f"{study}: {len(parts) - len(todo)} of {len(parts)} parts were finished before; going on with the rest")
+    finished = Parallel(n_jobs=-1, return_as="generator_unordered")(delayed(_labelled)(work, part) for part in todo)
+    for part, result in tqdm(finished, total=len(todo), desc=study, unit="part", disable=None):
+        checkpoint.save(part, result)
+    results = [checkpoint.load(part) for part in parts]
+    checkpoint.clear()
+    return results
+
+
+def _labelled(work: Callable[[str], Any], part: str) -> tuple[str, Any]:
+    return part, work(part)

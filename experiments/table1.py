@@ -9,16 +9,14 @@ uniform ones) and results/table1_paper.csv (the paper's own numbers).
 
 import argparse
 from collections import Counter
-from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pandas as pd
-from joblib import Parallel, delayed
 from numpy.typing import NDArray
-from tqdm import tqdm
 
-from experiments.store import RESULTS, Checkpoint, rng_for, write_csv, write_json
+from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, remesh
 from tween.metrics import rank_of
 from tween.paths import Path
@@ -66,14 +64,14 @@ def percentile(value: float, distribution: NDArray[np.float64]) -> float:
     return float(np.mean(distribution < value) + 0.5 * np.mean(distribution == value))
 
 
-def study(name: str, kind: str, samples: int) -> dict[str, Any]:
+def study(name: str, samples: int) -> dict[str, Any]:
     """Everything about one curve: its rows of the table and its histograms."""
     decomposition = decompose(shape(name))
     remeshed = remesh(decomposition.arbitrary())
     disk = remeshed.on_disk().points
     single = {"remeshed": remeshed, "first": decomposition.arbitrary(), "last": decomposition.arbitrary("last")}
     uniform = decomposition.sample(rng_for(PARAMETERS["seed"], name), samples)
-    about = {"curve": name, "kind": kind, "n": len(remeshed), "log10_count": _log10(decomposition.count)}
+    about = {"curve": name, "kind": shapes()[name], "n": len(remeshed), "log10_count": _log10(decomposition.count)}
     rows, histograms = [], {}
     for path in PARAMETERS["paths"]:
         drawn = np.array([measure(T, disk, path) for T in uniform])
@@ -109,24 +107,6 @@ def _histograms(drawn: NDArray[np.float64]) -> dict[str, Any]:
     return counts | {"Var": [float(f"{v:.4e}") for v in twentieths]}
 
 
-def compute(names: dict[str, str], samples: int, checkpoint: Checkpoint) -> Iterator[Any]:
-    """Study the curves on all cores; what is finished is kept, and not computed again after an interruption."""
-    todo = [name for name in names if checkpoint.load(name) is None]
-    if len(todo) < len(names):
-        print(f"table1: {len(names) - len(todo)} of {len(names)} curves were finished before; going on with the rest")
-    jobs = Parallel(n_jobs=-1, return_as="generator_unordered")(
-        delayed(_named_study)(name, names[name], samples) for name in todo
-    )
-    for name, result in tqdm(jobs, total=len(todo), desc="table1", unit="curve", disable=None):
-        checkpoint.save(name, result)
-    for name in names:
-        yield checkpoint.load(name)
-
-
-def _named_study(name: str, kind: str, samples: int) -> tuple[str, dict[str, Any]]:
-    return name, study(name, kind, samples)
-
-
 def table(results: list[dict[str, Any]]) -> pd.DataFrame:
     """The rows of all curves, numbers rounded so that they agree across processors."""
     rows = pd.DataFrame([row for result in results for row in result["rows"]])
@@ -144,19 +124,16 @@ def main() -> None:
         "--only", nargs="+", choices=shapes(), metavar="CURVE", help="these curves alone; prints, writes nothing"
     )
     arguments = parser.parse_args()
-    names = shapes()
+    names = list(shapes())
     if arguments.only:
-        chosen = {name: names[name] for name in arguments.only}
-        print(table([study(name, kind, arguments.samples) for name, kind in chosen.items()]).to_string())
+        print(table([study(name, arguments.samples) for name in arguments.only]).to_string())
         return
     parameters = PARAMETERS | {"samples": arguments.samples}
-    checkpoint = Checkpoint("table1", parameters)
-    results = list(compute(names, arguments.samples, checkpoint))
+    results = compute("table1", parameters, names, partial(study, samples=arguments.samples))
     write_csv(RESULTS / "table1.csv", table(results))
     histograms = {name: value for result in results for name, value in result["histograms"].items()}
     write_json(RESULTS / "table1.json", {"parameters": parameters, "uniform": histograms})
     write_csv(RESULTS / "table1_paper.csv", pd.DataFrame(PAPER))
-    checkpoint.clear()
     print(f"table1: {len(names)} curves -> results/table1.csv, results/table1.json")
 
 

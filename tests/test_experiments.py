@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import joblib
 import numpy as np
@@ -39,24 +38,20 @@ def test_an_interrupted_study_computes_only_what_is_left(tmp_path: Path, monkeyp
     monkeypatch.setattr(store, "ROOT", tmp_path)
     done: list[str] = []
 
-    def study(name: str, kind: str, samples: int) -> dict[str, Any]:
-        if name == "b" and "b" not in done:
-            done.append("b")
+    def work(part: str) -> str:
+        done.append(part)
+        if done == ["a", "b"]:
             raise KeyboardInterrupt
-        done.append(name)
-        return {"rows": [name]}
+        return part.upper()
 
-    monkeypatch.setattr(table1, "study", study)
-    names = {"a": "x", "b": "x", "c": "x"}
-    checkpoint = store.Checkpoint("test", {"seed": 1})
     with joblib.parallel_config(backend="sequential"):
         with pytest.raises(KeyboardInterrupt):
-            list(table1.compute(names, 1, checkpoint))
-        assert [r["rows"] for r in table1.compute(names, 1, checkpoint)] == [["a"], ["b"], ["c"]]
+            store.compute("test", {"seed": 1}, ["a", "b", "c"], work)
+        assert store.Checkpoint("test", {"seed": 1}).load("a") == "A"
+        assert store.Checkpoint("test", {"seed": 2}).load("a") is None
+        assert store.compute("test", {"seed": 1}, ["a", "b", "c"], work) == ["A", "B", "C"]
     assert done == ["a", "b", "b", "c"]
-    assert store.Checkpoint("test", {"seed": 2}).load("a") is None
-    checkpoint.clear()
-    assert checkpoint.load("a") is None
+    assert store.Checkpoint("test", {"seed": 1}).load("a") is None
 
 
 def test_every_name_has_a_generator_of_its_own() -> None:
@@ -96,7 +91,7 @@ def test_quantiles_of_the_uniform_samples_are_ordered() -> None:
 
 
 def test_a_study_of_few_samples_gives_the_same_rows_twice() -> None:
-    first, second = (table1.study("ell", "constructed", 5) for _ in range(2))
+    first, second = (table1.study("ell", 5) for _ in range(2))
     assert table1.table([first]).equals(table1.table([second]))
 
 
