@@ -32,7 +32,9 @@ PARAMETERS: dict[str, Any] = {
 }
 QUANTILES = {"min": 0.0, "q05": 0.05, "q25": 0.25, "median": 0.5, "q75": 0.75, "q95": 0.95, "max": 1.0}
 MEASURES = [*(f"AR_{tolerance:.0e}".replace("e-0", "e-") for tolerance in PARAMETERS["tolerances"]), "Var"]
-PAPER = {  # Table 1 as printed; the figure's curves are unpublished, its units and tolerance not stated
+PAPER: dict[
+    str, list[Any]
+] = {  # Table 1 as printed; the figure's curves are unpublished, its units and tolerance not stated
     "curve": ["Figure 11, row 1", "Figure 11, row 3", "Figure 11, row 4", "Figure 11, row 7"],
     "AR_remeshed": [7, 17, 10, 23],
     "AR_arbitrary": [31, 42, 13, 36],

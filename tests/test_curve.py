@@ -271,7 +271,6 @@ def test_the_longest_edge_is_halved_first_and_of_equals_the_first() -> None:
     assert long.origin.tolist() == [0, -1, -1, -1, 1, 2, -1, 3]
 
 
-@pytest.mark.xfail(strict=True, reason="the rounded midpoint of a sliver turns the curve, which is not noticed")
 @pytest.mark.parametrize(
     "sliver",
     [

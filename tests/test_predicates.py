@@ -133,7 +133,6 @@ def test_points_of_another_shape_are_refused(wrong) -> None:
             predicate(*[wrong] * count)
 
 
-@pytest.mark.xfail(strict=True, reason="broadcasting stretches a missing coordinate: [1] is read as (1, 1)")
 @pytest.mark.parametrize("wrong", [1.0, [1.0], [[1.0], [2.0]]])
 def test_one_point_with_a_single_coordinate_is_refused(wrong) -> None:
     with pytest.raises(ValueError, match="shape"):

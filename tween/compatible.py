@@ -133,7 +133,10 @@ def _move_root(source, target, z, t):
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = cmath.phase(e2 / e1)
     if abs(abs(turn) - math.pi) < _HALF_TURN:
-        turn = math.copysign(turn, e1.imag if abs(e1.imag) > _HALF_TURN * abs(e1) else e1.real)
+        apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
+        way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
+        if turn * way < 0.0:
+            turn += 2.0 * math.pi * way
     a, e = np.empty_like(z), np.empty_like(z)
     for f in range(t.size):
         e[f] = cmath.rect((1 - t[f]) * abs(e1) + t[f] * abs(e2), cmath.phase(e1) + t[f] * turn)

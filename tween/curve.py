@@ -149,7 +149,8 @@ class Curve:
         Raises
         ------
         CurveError
-            Where `count` is below the number of vertices, or an edge is too short to be halved.
+            Where `count` is below the number of vertices, an edge is too short to be halved, or the curve so
+        thin that rounding the midpoints changes its turning number.
 
         Notes
         -----
@@ -166,7 +167,15 @@ class Curve:
         if count < len(self):
             raise CurveError(f"{count} vertices wanted, but the curve has {len(self)} already")
         points, origin = _halve_longest_edges(self._points, self._origin, count)
-        curve = Curve(points)
+        try:
+            curve = Curve(points)
+        except CurveError as error:
+            raise CurveError(f"the curve is too thin to take up {count - len(self)} vertices: {error}") from None
+        if curve._reversed or curve.turning_number != self.turning_number:
+            raise CurveError(
+                "the curve is so thin that rounding the midpoints of its edges turns it over: its turning number "
+                f"{self.turning_number} became {-curve.turning_number if curve._reversed else curve.turning_number}"
+            )
         curve._origin = _frozen(origin)
         curve._reversed = self._reversed
         return curve
@@ -213,15 +222,9 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
     if n < 3:
         raise CurveError(f"a curve needs at least 3 vertices, found {n}")
     p += 0.0  # turns -0.0 into 0.0, so that equal points are equal bytes
-    for i in np.flatnonzero(~np.isfinite(p).all(axis=1)):
-        raise CurveError(f"vertex {i} is {_at(p[i])}, expected finite coordinates")
-    low, high = EXACT_RANGE
-    size = np.abs(p)
-    for i in np.flatnonzero(((size != 0) & ((size < low) | (size > high))).any(axis=1)):
-        raise CurveError(
-            f"vertex {i} is {_at(p[i])}: coordinates must be 0 or between {low:.0e} and {high:.0e} "
-            "in magnitude for the predicates to be exact; scale the curve"
-        )
+    fault = coordinate_fault(p)
+    if fault:
+        raise CurveError(fault)
     following = np.roll(p, -1, axis=0)
     for i in np.flatnonzero((p == following).all(axis=1)):
         j = (i + 1) % n
@@ -229,6 +232,30 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
     for i in np.flatnonzero(spikes(p)):
         raise CurveError(f"vertex {i} at {_at(p[i])} is a spike: the curve turns back by 180 degrees")
     return p
+
+
+def coordinate_fault(points: NDArray[np.float64]) -> str:
+    """Find the first vertex whose coordinates the predicates cannot treat exactly.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    str
+        What is wrong with which vertex; empty where nothing is.
+    """
+    for i in np.flatnonzero(~np.isfinite(points).all(axis=1)):
+        return f"vertex {i} is {_at(points[i])}, expected finite coordinates"
+    low, high = EXACT_RANGE
+    size = np.abs(points)
+    for i in np.flatnonzero(((size != 0) & ((size < low) | (size > high))).any(axis=1)):
+        return (
+            f"vertex {i} is {_at(points[i])}: coordinates must be 0 or between {low:.0e} and {high:.0e} "
+            "in magnitude for the predicates to be exact; scale the curve"
+        )
+    return ""
 
 
 def _at(point: NDArray[np.float64]) -> str:

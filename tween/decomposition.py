@@ -117,6 +117,8 @@ class Decomposition:
         [[0, 1, 3], [1, 2, 3]]
         """
         self._require()
+        if split not in ("first", "last"):
+            raise ValueError(f"split is {split!r}, expected 'first' or 'last'")
         return self._triangulation(walk(self._points, self._first, self._last, self._ends, self._n, split == "last"))
 
     @overload

@@ -84,6 +84,8 @@ def hops(T: Triangulation, start: int) -> NDArray[np.int64]:
     -------
     ndarray of int, shape (n-2,)
     """
+    if not 0 <= start < len(T.triangles):
+        raise ValueError(f"start is triangle {start}, expected 0 to {len(T.triangles) - 1}")
     return _hang(T.twin, 3 * start)[2]
 
 

@@ -27,10 +27,10 @@ from tween.triangulation import Triangulation, match_rows
 
 Order = Literal["partial", "sequential"]
 
-_SCAN = 1 / 64  # step of the search for the first convex time; a shorter spell of convexity may be missed
-_CHUNK = 8  # steps looked at together
-_REFINEMENTS = 6  # each divides the step by 16: times are found to 1e-9
-_SAMPLES = 9  # shapes by which the length of a piece is measured
+_SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
+_CHUNK = 16  # steps looked at together
+_REFINEMENTS = 5  # each divides the step by 16: times are found to 2e-9
+_SAMPLES = 33  # shapes by which the length of a piece is measured
 
 
 class Event(NamedTuple):
@@ -114,8 +114,9 @@ class Flow:
 
     Notes
     -----
-    Before each flip the motion is scanned in steps of 1/64 for the first time at which a waiting flip is
-    possible, exactly; that time is refined to 1e-9.  After a flip the shape goes on from where it is to
+    Before each flip the motion is scanned in steps of 1/512 for the first time at which a waiting flip is
+    possible, exactly; that time is refined to 2e-9; a spell
+    of convexity shorter than a step may be missed.  After a flip the shape goes on from where it is to
     the same disk, under the new triangles, so there is no jump.  At the disk every flip is possible.
 
     References
@@ -247,7 +248,7 @@ class Through:
     Notes
     -----
     Time is distributed so that at every moment the vertices move equally fast: the root mean square of
-    their velocities is constant, up to the sampling of each piece at 9 shapes.
+    their velocities is constant, up to the sampling of each piece at 33 shapes.
     """
 
     def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int) -> None:

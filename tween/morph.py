@@ -136,9 +136,10 @@ def _check_disks(source: Any, target: Any) -> None:
                 raise NotSelfOverlappingError(f"the {name} bounds no immersed disk: {answer.reason}")
 
 
-def _key(shape: Any) -> tuple[int, bytes]:
+def _key(shape: Any) -> tuple[int, bytes, bytes]:
     points = as_curve(shape).points
-    return len(points), points.astype(">f8").tobytes()
+    triangles = shape.canonical.tobytes() if isinstance(shape, Triangulation) else b""
+    return len(points), points.tobytes(), triangles
 
 
 def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> Alignment:

@@ -130,6 +130,8 @@ class Morph:
         -------
         ndarray of float64, shape (k, n, 2)
         """
+        if k < 2:
+            raise ValueError(f"{k} frames were asked for, expected at least 2: the source and the target")
         return self.at(np.linspace(0.0, 1.0, k))
 
     def triangles_at(self, t: float) -> NDArray[np.int64]:
@@ -142,7 +144,8 @@ class Morph:
         Returns
         -------
         ndarray of int, shape (n-2, 3)
-            The two triangles of a flip keep their rows.
+            The two triangles of a flip keep their rows.  From the time of a flip on these are the new
+            ones, but at 0 always the source's.
         """
         return self._stages[self.stage_at(np.array([t]))[0]][1]
 
@@ -158,7 +161,8 @@ class Morph:
         ndarray of int, shape (k,)
         """
         starts = np.array([start for start, _ in self._stages])
-        return np.searchsorted(starts, times, side="right") - 1
+        stages = np.searchsorted(starts, times, side="right") - 1
+        return np.where(times == 0, 0, stages)
 
     def _own_stages(self) -> list[tuple[float, NDArray[np.int64]]]:
         """The motion's stages in this morph's time, vertices and rows."""

@@ -208,10 +208,12 @@ def _incircle_rows(a, b, c, d, signs):
 
 def _apply(rows, *points):
     """Broadcast points of shape (..., 2), run a row kernel over them, give the signs their shape back."""
-    arrays = np.broadcast_arrays(*(np.asarray(p, dtype=np.float64) for p in points))
+    given = [np.asarray(p, dtype=np.float64) for p in points]
+    for p in given:
+        if p.shape[-1:] != (2,):
+            raise ValueError(f"points have shape {p.shape}, expected (..., 2)")
+    arrays = np.broadcast_arrays(*given)
     shape = arrays[0].shape
-    if not shape or shape[-1] != 2:
-        raise ValueError(f"points have shape {shape}, expected (..., 2)")
     signs = np.empty(int(np.prod(shape[:-1])), dtype=np.int8)
     rows(*(np.ascontiguousarray(p).reshape(-1, 2) for p in arrays), signs)
     return signs.reshape(shape[:-1])[()]

@@ -16,7 +16,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.curve import Curve, spikes, turning_number
+from tween.curve import Curve, coordinate_fault, spikes, turning_number
 from tween.errors import TriangulationError
 from tween.predicates import orient2d
 
@@ -128,9 +128,9 @@ class Triangulation:
         Raises
         ------
         TriangulationError
-            Naming the first broken rule and the element: each boundary edge in one triangle; each
-            diagonal in two, in opposite directions; dual graph connected; every triangle
-            counter-clockwise; no spike; turning number 1.
+            Naming the first broken rule and the element: coordinates within the exact range; each
+            boundary edge in one triangle; each diagonal in two, in opposite directions; dual graph
+            connected; every triangle counter-clockwise; no spike; turning number 1.
 
         Notes
         -----
@@ -138,8 +138,10 @@ class Triangulation:
         its vertices: where angles around a vertex add up to more than 2 pi all the other rules may
         hold, and still no disk is immersed there.  O(n log n).
         """
-        n = len(self._points)
-        _check_connected(self.dual, n - 2)
+        fault = coordinate_fault(self._points)
+        if fault:
+            raise TriangulationError(fault)
+        _check_connected(self.dual, len(self._triangles))
         for t in np.flatnonzero(orient2d(*np.moveaxis(self._points[self._triangles], 1, 0)) <= 0):
             found = self._triangles[t].tolist()
             raise TriangulationError(f"triangle {t} {found} is not counter-clockwise")
@@ -195,6 +197,8 @@ class Triangulation:
         ----------
         Mukherjee and Gopi, Section 3, "Morphing compatible triangulations".
         """
+        if spacing not in ("arc", "uniform"):
+            raise ValueError(f"spacing is {spacing!r}, expected 'arc' or 'uniform'")
         z = self._points @ np.array([1.0, 1.0j])
         gaps = arc_gaps(self._points) if spacing == "arc" else np.full(len(z), 1 / len(z))
         angles = 2 * np.pi * (np.cumsum(gaps) - gaps)
@@ -318,11 +322,16 @@ def compatible_shift(first: Triangulation, second: Triangulation) -> int | None:
 
 def _read_only(values: ArrayLike, dtype: type, name: str) -> NDArray[Any]:
     """Return the array itself where it is read-only already, a read-only copy where not."""
-    if isinstance(values, np.ndarray) and values.dtype == dtype and not values.flags.writeable:
+    if isinstance(values, np.ndarray) and values.dtype == dtype and values.flags.owndata and not values.flags.writeable:
         return values
-    if dtype is np.int64 and not np.issubdtype(np.asarray(values).dtype, np.integer):
-        raise TriangulationError(f"{name} have dtype {np.asarray(values).dtype}, expected integers")
-    array: NDArray[Any] = np.array(values, dtype=dtype)
+    try:
+        if dtype is np.int64 and not np.issubdtype(np.asarray(values).dtype, np.integer):
+            raise TriangulationError(f"{name} have dtype {np.asarray(values).dtype}, expected integers")
+        array: NDArray[Any] = np.array(values, dtype=dtype)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, TriangulationError):
+            raise
+        raise TriangulationError(f"{name} are no array of numbers: {error}") from None
     array.setflags(write=False)
     return array
 
