@@ -7,6 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from experiments.store import RESULTS, rng_for, save_figure
@@ -14,6 +15,7 @@ from tween import Triangulation, area_matrix, decompose, frame_variance, gallery
 from tween import plot as draw
 
 SEED = 20100
+TIMES = np.linspace(0, 1, 7)
 
 
 def figure_3() -> Figure:
@@ -41,8 +43,50 @@ def figure_6() -> Figure:
     figure, axes = plt.subplots(2, 1, figsize=(7.2, 3.4))
     for ax, shape, label in zip(axes, (random, T), ("random", "remeshed"), strict=True):
         m = morph(shape, Triangulation(disk, shape.triangles))
-        draw.draw_filmstrip(m, np.linspace(0, 1, 7), ax, labels=shape is T)
+        draw.draw_filmstrip(m, TIMES, ax, labels=shape is T)
         ax.set_title(f"{label}: Var {frame_variance(area_matrix(m)):.1e}", loc="left")
+    return figure
+
+
+def figure_9() -> Figure:
+    """The same two curves with and without matched pivots."""
+    a, b = gallery.pair("ell_to_two_loops")
+    matched = morph(a, b, strategy="paper")
+    away = morph(a, b, strategy="paper", shifts=matched.alignment.shift + len(matched.source) // 4)
+    figure, axes = plt.subplots(2, 1, figsize=(7.2, 3.0))
+    for ax, m, label in zip(axes, (away, matched), ("a quarter turn away", "pivots matched"), strict=True):
+        mark = matched.alignment.pivot if m is matched else None
+        draw.draw_filmstrip(m, TIMES, ax, labels=m is matched, one_scale=False, mark=mark)
+        ax.set_title(f"{label}: {m.alignment.crossings} crossings, {len(m.events)} flips", loc="left")
+    return figure
+
+
+def figure_10() -> Figure:
+    """Flips where and when they happen: in each shape the diagonals that came since the one before."""
+    m = morph(*gallery.pair("arrow_to_horseshoe"), strategy="paper")
+    moments = np.unique([e.time for e in m.events])
+    times = moments[np.linspace(0, len(moments) - 1, 5).round().astype(int)]
+    figure, axes = plt.subplots(1, len(times), figsize=(7.2, 1.9))
+    before = -1.0
+    for ax, t in zip(axes, times, strict=True):
+        points = m(t)
+        fresh = [e.into for e in m.events if before < e.time <= t]
+        draw.draw_triangulation(Triangulation(points, m.triangles_at(t)), ax, colors="0.85", alpha=0.6)
+        ax.add_collection(LineCollection(list(points[np.array(fresh)]), colors=draw.TARGET, linewidths=0.9))
+        ax.set_title(f"t = {t:.4f}\n{len(fresh)} flips", fontsize=8)
+        ax.set_adjustable("datalim")
+        before = t
+    return figure
+
+
+def figure_11() -> Figure:
+    """The seven pairs of the gallery, each shape as large as the others; dots mark matched pivots."""
+    figure, axes = plt.subplots(7, 1, figsize=(7.2, 9.0))
+    for ax, name in zip(axes, gallery.pairs(), strict=True):
+        m = morph(*gallery.pair(name), strategy="paper")
+        draw.draw_filmstrip(m, TIMES, ax, labels=False, one_scale=False, mark=m.alignment.pivot)
+        ax.set_anchor("W")
+        ax.set_title(f"{name.replace('_', ' ')}: {len(m.events) or 'no'} flips", loc="left", fontsize=8)
     return figure
 
 
@@ -90,6 +134,9 @@ def _distributions(ax: Axes, table: pd.DataFrame, measure: str) -> None:
 FIGURES: dict[str, Callable[[], Figure]] = {
     "figure_03_dual_graphs": figure_3,
     "figure_06_random_remeshed": figure_6,
+    "figure_09_pivots": figure_9,
+    "figure_10_flips": figure_10,
+    "figure_11_pairs": figure_11,
     "gallery": gallery_sheet,
     "table_1_linear": partial(table_1, "linear"),
     "table_1_slide": partial(table_1, "slide"),

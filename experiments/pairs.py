@@ -34,7 +34,7 @@ def checks(m: Morph, back: Morph, source: Curve, target: Curve) -> dict[str, Any
     """Largest errors, relative to the size of the shapes, and whether all triangles are positive."""
     size = max(float(np.ptp(c.points, axis=0).max()) for c in (source, target))
     shapes_, returned = m.frames(PARAMETERS["frames"]), back.frames(PARAMETERS["frames"])[::-1]
-    steps = [np.abs(np.diff(m.frames(k), axis=0)).max() for k in (201, 401)]
+    steps = [np.abs(np.diff(m.frames(k), axis=0)).max() for k in (401, 801)]
     return {
         "end_error": max(_end_error(m(0), m.source_vertices, source), _end_error(m(1), m.target_vertices, target))
         / size,

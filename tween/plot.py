@@ -180,9 +180,14 @@ def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, 
 
 
 def draw_filmstrip(
-    m: Morph, times: Sequence[float] | NDArray[np.float64], ax: Axes | None = None, labels: bool = True
+    m: Morph,
+    times: Sequence[float] | NDArray[np.float64],
+    ax: Axes | None = None,
+    labels: bool = True,
+    one_scale: bool = True,
+    mark: int | None = None,
 ) -> Axes:
-    """Draw shapes of a morph side by side at one scale, triangles coloured by identity.
+    """Draw shapes of a morph side by side, triangles coloured by identity.
 
     Parameters
     ----------
@@ -191,6 +196,10 @@ def draw_filmstrip(
     ax : Axes, optional
     labels : bool
         Whether to write the time below each shape.
+    one_scale : bool
+        Whether all shapes have one scale; otherwise each is as large as the others.
+    mark : int, optional
+        A vertex to mark in the first and the last shape, such as the pivot.
 
     Returns
     -------
@@ -204,6 +213,8 @@ def draw_filmstrip(
     """
     ax = _axes(ax)
     shapes = m.at(times)
+    if not one_scale:
+        shapes = shapes / np.ptp(shapes, axis=1).max(axis=1)[:, None, None]
     low, high = shapes.min(axis=1), shapes.max(axis=1)
     widths, heights = (high - low).T
     gap = 0.12 * widths.max()
@@ -211,6 +222,8 @@ def draw_filmstrip(
     for t, shape, corner, left, height in zip(times, shapes, low, lefts, heights, strict=True):
         place = shape - corner + [left, -0.5 * height]
         _draw(ax, place, m.triangles_at(t), identity_colors(m.source), 0.35)
+        if mark is not None and t in (times[0], times[-1]):
+            ax.scatter(place[mark, 0], place[mark, 1], s=14, color=PIVOT, linewidths=0, zorder=5)
     if labels:
         for t, left, width in zip(times, lefts, widths, strict=True):
             middle, below = float(left + width / 2), float(-0.55 * heights.max())
