@@ -134,7 +134,6 @@ def test_the_way_back_is_the_way_there_reversed(pair: Pair, way: Way) -> None:
     assert (there.u, there.v) == (back.v, back.u)
 
 
-@pytest.mark.xfail(strict=True, reason="which shape comes first is undecided where both have the same points")
 @pytest.mark.parametrize("name", ["two_disks", "horseshoe"])
 def test_the_way_back_between_two_triangulations_of_one_curve_is_the_way_there_reversed(name: str) -> None:
     S, T, *_ = decompose(curve(name)).sample(np.random.default_rng(1), 6)
@@ -172,10 +171,10 @@ def speeds(m: Morph) -> NDArray[np.float64]:
 @every_way
 @every_pair
 def test_the_pace_does_not_change_much(pair: Pair, way: Way) -> None:
-    assert np.ptp(np.percentile(speeds(made(pair, way)), [1, 99])) < 1.1
+    assert np.ptp(np.percentile(speeds(made(pair, way)), [1, 99])) < 0.28
 
 
-@pytest.mark.xfail(strict=True, reason="nine shapes a piece are too few to measure its length by")
+@pytest.mark.xfail(strict=True, reason="near the disk 33 shapes a piece are too few to measure its length by")
 def test_the_pace_is_even() -> None:
     spreads = [np.ptp(np.percentile(speeds(made(*x)), [1, 99])) for x in product(PAIRS, product(PATHS, ORDERS))]
     assert max(spreads) < 0.1
@@ -184,12 +183,7 @@ def test_the_pace_is_even() -> None:
 # Triangles and events
 
 
-AT_ONCE = pytest.mark.xfail(strict=True, reason="the triangles at time 0 are those after the flips at time 0")
-LATE = {("two_loops", "loop"), ("winding_3", "comb"), ("D", "d"), ("J", "arrow")}
-STARTS = [pytest.param(pair, marks=[] if pair in LATE else [AT_ONCE]) for pair in PAIRS]
-
-
-@pytest.mark.parametrize("pair", STARTS, ids="-".join)
+@every_pair
 def test_the_triangles_at_the_start_are_those_of_the_source_row_for_row(pair: Pair) -> None:
     for way in product(PATHS, ORDERS):
         m = made(pair, way)
@@ -321,20 +315,9 @@ def legs_between_flips(f: Flow, flips: FlipSequence, order: str) -> Iterator[tup
         yield start, piece, quads(flips, ready(flips, undone, order))
 
 
-MISSED = pytest.mark.xfail(strict=True, reason="convexity that lasts for less than 1/64 is missed")
-FLOWS = [
-    pytest.param(
-        pair,
-        way,
-        by,
-        id="-".join([*pair, *way, str(by)]),
-        marks=[MISSED] if (pair, way, by) == (("D", "d"), ("linear", "partial"), 0) else [],
-    )
-    for pair, way, by in product(PAIRS, product(PATHS, ORDERS), (0, 1))
-]
-
-
-@pytest.mark.parametrize(("pair", "way", "by"), FLOWS)
+@every_way
+@every_pair
+@pytest.mark.parametrize("by", [0, 1])
 def test_a_flip_happens_as_soon_as_one_that_waits_is_possible(pair: Pair, way: Way, by: int) -> None:
     f, flips, _ = flow(pair, way, by)
     for start, piece, waiting in legs_between_flips(f, flips, way[1]):
@@ -382,16 +365,14 @@ def test_a_flow_goes_on_from_where_it_is_to_the_same_disk(pair: Pair, way: Way) 
         here = last
 
 
-def comes_first(pair: Pair) -> tuple[int, bytes]:
-    """Tell apart the two directions of a morph as the module does, so that ties of the flips agree."""
-    points = shape(pair[0]).points
-    return len(points), points.astype(">f8").tobytes()
-
-
+# Of two shapes the one with fewer vertices comes first: the flows below are then in the numbers of the morph itself.
 @every_way
-@every_pair
+@pytest.mark.parametrize(
+    "pair",
+    [tuple(sorted(p, key=lambda name: len(shape(name)))) for p in PAIRS if len({*map(len, map(shape, p))}) > 1],
+    ids="-".join,
+)
 def test_the_way_leads_through_the_flow_that_is_done_first(pair: Pair, way: Way) -> None:
-    pair = min(pair, pair[::-1], key=comes_first)
     m = made(pair, way)
     own, other = (flow(pair, way, by)[0] for by in (0, 1))
     assert m.u == pytest.approx(own.end, abs=1e-6) and m.v == pytest.approx(other.end, abs=1e-6)
@@ -433,6 +414,8 @@ def test_triangulations_that_were_given_are_not_exchanged_for_a_common_one() -> 
 @pytest.mark.parametrize(
     ("option", "message"),
     [
+        ({"shifts": "some"}, "shifts is 'some', expected 'pivots', 'all' or a whole number"),
+        ({"shifts": 0.5}, "shifts is 0.5, expected 'pivots', 'all' or a whole number"),
         ({"strategy": "both"}, "strategy is 'both', expected one of auto, paper, common"),
         ({"order": "random"}, "order is 'random', expected one of partial, sequential"),
         ({"path": "spline"}, "path is 'spline', expected one of slide, linear|linear, slide"),
@@ -451,6 +434,25 @@ def test_a_curve_that_bounds_no_disk_is_named_with_the_reason(points: Any, reaso
     for curves, name in (((points, shape("ell")), "source"), ((shape("ell"), points), "target")):
         with pytest.raises(NotSelfOverlappingError, match=f"the {name} bounds no immersed disk: {reason}"):
             morph(*curves, strategy=strategy)
+
+
+@pytest.mark.parametrize("shift", [0, 7, -3])
+def test_a_number_is_taken_for_the_correspondence_and_its_negative_for_the_way_back(shift: int) -> None:
+    for pair in (("arrow", "ell"), ("ess", "spiral_1"), ("spiral_1", "ess")):
+        there = morph(*map(shape, pair), strategy="paper", shifts=shift)
+        back = morph(*map(shape, pair[::-1]), strategy="paper", shifts=-shift)
+        n = len(there.source)
+        assert (there.alignment.shift, back.alignment.shift) == (shift % n, -shift % n)
+        np.testing.assert_array_equal(there.target.points, np.roll(back.source.points, -shift, axis=0))
+        frames = np.roll(back.frames(11)[::-1], -shift, axis=1)
+        np.testing.assert_allclose(there.frames(11), frames, rtol=0, atol=1e-9 * size(there))
+
+
+@pytest.mark.parametrize("pair", [("arrow", "ell"), ("horseshoe", "loop")], ids="-".join)
+def test_of_all_correspondences_the_one_with_fewest_crossings_is_flipped(pair: Pair) -> None:
+    m = morph(*map(shape, pair), strategy="paper", shifts="all")
+    counts = [align(*map(shape, pair), k).crossings for k in range(len(m.source))]
+    assert m.alignment.crossings == counts[m.alignment.shift] == min(counts) > 0
 
 
 # Roots
