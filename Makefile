@@ -60,9 +60,17 @@ $(STAMP): pyproject.toml $(PACKAGES)
 setup: $(STAMP) ## Make the environment .venv with the packages of requirements.lock
 	@echo "setup: $(VENV) is ready"
 
-reproduce: $(STAMP) ## Recompute Table 1 and the figures, then run the notebooks
-	@echo "reproduce: Table 1"
+reproduce: $(STAMP) ## Recompute the studies and the figures, then run the notebooks
+	@echo "reproduce: Table 1, every curve to the disk"
 	@$(BIN)/python -m experiments.table1
+	@echo "reproduce: Table 1, the paper's four columns"
+	@$(BIN)/python -m experiments.figure11
+	@echo "reproduce: every pair of curves"
+	@$(BIN)/python -m experiments.pairs
+	@echo "reproduce: pivots matched or not"
+	@$(BIN)/python -m experiments.pivots
+	@echo "reproduce: flip sequences beside the flip distance"
+	@$(BIN)/python -m experiments.flips
 	@echo "reproduce: figures"
 	@$(BIN)/python -m experiments.figures
 	@$(MAKE) notebooks

@@ -56,7 +56,6 @@ def remesh(T: Triangulation) -> Triangulation:
     """
     triangles, twin = T.triangles.copy(), T.twin.copy()
     _flip_to_delaunay(T.points, triangles, twin)
-    triangles.setflags(write=False)
     return Triangulation(T.points, triangles)
 
 

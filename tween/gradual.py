@@ -152,7 +152,7 @@ class Flow:
         if share > 0:
             self.pieces.append(Piece(leg, 0.0, share))
         self.end = 1.0 if share == 1 else self.end + share * (1 - self.end)
-        self.final = self._flip_all_possible(_with_points(self.final, points))
+        self.final = self._flip_all_possible(self.final.moved(points))
 
     def _flip_all_possible(self, T: Triangulation) -> Triangulation:
         """Flip, and flip what that makes possible, until nothing more is possible in this shape."""
@@ -168,7 +168,7 @@ class Flow:
                 self._stages.append(len(self.pieces))
                 for freed in self._waiting.done(flip):
                     heapq.heappush(candidates, freed)
-        return Triangulation(T.points, triangles)
+        return Triangulation(T.points, triangles)._knowing(twin)
 
     def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
         """The first share of the leg at which a waiting flip is possible, and the shape there."""
@@ -252,7 +252,7 @@ class Through:
     """
 
     def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int) -> None:
-        end = Triangulation(flow.final.points, T.triangles)
+        end = T.moved(flow.final.points)
         straight = Leg(T, end.points, path, root_triangle(root, T, end))
         self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
         starts = self._set_pace()
@@ -318,7 +318,3 @@ def shared_edge(twin, t, u):
         if twin[t, s] // 3 == u:
             return 3 * t + s
     return -1
-
-
-def _with_points(T: Triangulation, points: NDArray[np.float64]) -> Triangulation:
-    return Triangulation(points, T.triangles)

@@ -189,7 +189,7 @@ def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts)
 
 def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root) -> Leg:
     first = alignment.source
-    second = Triangulation(alignment.target.points, first.triangles)
+    second = first.moved(alignment.target.points)
     row = _row(root, own.source, shift, first.triangles)
     return Leg(first, second.points, path, root_triangle(row, first, second))
 

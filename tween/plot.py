@@ -179,6 +179,38 @@ def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, 
     return _frame(ax)
 
 
+def draw_spine(T: Triangulation, spine: NDArray[np.int64], ax: Axes | None = None, pivot: int | None = None) -> Axes:
+    """Draw a spine through the centres of mass of its triangles, and the pivot vertex as a dot.
+
+    Parameters
+    ----------
+    T : Triangulation
+    spine : ndarray of int
+        Triangles from end to end.
+    ax : Axes, optional
+    pivot : int, optional
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> from tween import gallery, spine, triangulate
+    >>> T = triangulate(gallery.curve("ell"))
+    >>> ax = draw_spine(T, spine(T), pivot=0)
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.1.
+    """
+    ax = _axes(ax)
+    ax.plot(*_xy(T.points[T.triangles[spine]].mean(axis=1)), color=TREE, linewidth=1.6, zorder=3)
+    if pivot is not None:
+        ax.scatter(T.points[pivot, 0], T.points[pivot, 1], s=26, color=PIVOT, linewidths=0, zorder=5)
+    return _frame(ax)
+
+
 def draw_filmstrip(
     m: Morph,
     times: Sequence[float] | NDArray[np.float64],

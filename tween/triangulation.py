@@ -152,6 +152,33 @@ class Triangulation:
             raise TriangulationError(f"turning number of the boundary is {turning}, not 1")
         return self
 
+    def moved(self, points: ArrayLike) -> "Triangulation":
+        """Put the same triangles on other points.
+
+        Parameters
+        ----------
+        points : array_like, shape (n, 2)
+
+        Returns
+        -------
+        Triangulation
+            With the same triangles in the same order.
+
+        Examples
+        --------
+        >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+        >>> T.moved(2 * T.points).areas
+        array([2., 2.])
+        """
+        other = Triangulation(points, self._triangles)
+        return other._knowing(self.__dict__["twin"]) if "twin" in self.__dict__ else other
+
+    def _knowing(self, twin: NDArray[np.int64]) -> "Triangulation":
+        """Take the twins as known, so that they are not sought again."""
+        twin.setflags(write=False)
+        self.__dict__["twin"] = twin
+        return self
+
     def rolled(self, shift: int) -> "Triangulation":
         """Number the vertices from another start.
 
@@ -172,7 +199,8 @@ class Triangulation:
         [[3, 0, 1], [3, 1, 2]]
         """
         n = len(self._points)
-        return Triangulation(np.roll(self._points, -shift, axis=0), (self._triangles - shift) % n)
+        other = Triangulation(np.roll(self._points, -shift, axis=0), (self._triangles - shift) % n)
+        return other._knowing(self.twin)
 
     def on_disk(self, spacing: Literal["arc", "uniform"] = "arc") -> "Triangulation":
         """Impose the triangles on a disk: the same vertices on a circle around the same area.
@@ -207,7 +235,7 @@ class Triangulation:
         direction = np.sum((z - centre) * np.exp(-1j * angles))
         turn = np.angle(direction) if abs(direction) > 1e-9 * np.abs(z - centre).sum() else 0.0
         disk = centre + np.sqrt(areas.sum() / np.pi) * np.exp(1j * (angles + turn))
-        return Triangulation(np.stack([disk.real, disk.imag], axis=1), self._triangles)
+        return self.moved(np.stack([disk.real, disk.imag], axis=1))
 
     def __len__(self) -> int:
         return len(self._points)
