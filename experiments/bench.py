@@ -19,8 +19,9 @@ from scipy.spatial import Delaunay
 
 from experiments import table1
 from experiments.store import Checkpoint, compute
-from tween import Curve, area_matrix, decompose, gallery, morph, orient2d, remesh
+from tween import Curve, align, area_matrix, decompose, gallery, morph, orient2d, remesh, triangulate
 from tween.predicates import turn
+from tween.sequence import flip_sequence
 
 SEED = 7
 
@@ -114,6 +115,25 @@ def morphs() -> list[Timing]:
     ]
 
 
+def pairs() -> list[Timing]:
+    lobes = gallery.curve("three_lobes").insert_vertices(200)
+    spiral = spiral_strip(200)
+    ess, loop = (gallery.curve(name).insert_vertices(100) for name in ("ess", "loop"))
+    first, second = triangulate(lobes), triangulate(spiral)
+    return [
+        Timing("align two curves, n = 200", lambda: align(lobes, spiral)),
+        Timing("common triangulation over all shifts, n = 100", lambda: align(ess, loop, shifts="all"), repeats=3),
+        Timing("flip sequence, n = 200", lambda: flip_sequence(first, second)),
+        Timing(
+            "incompatible morph, n = 200, 100 frames",
+            lambda: morph(lobes, spiral, strategy="paper").frames(100),
+            "compatible morph to the disk",
+            lambda: morph(first, first.on_disk()).frames(100),
+            repeats=3,
+        ),
+    ]
+
+
 def whole_table() -> list[Timing]:
     names, samples = list(table1.shapes()), table1.PARAMETERS["samples"]
 
@@ -153,7 +173,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m experiments.bench", description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
     arguments = parser.parse_args()
-    for group in (predicates, tables, morphs, *(() if arguments.quick else (whole_table,))):
+    for group in (predicates, tables, morphs, pairs, *(() if arguments.quick else (whole_table,))):
         for timing in group():
             report(timing)
 
