@@ -12,10 +12,11 @@ is ``z -> a z + b conj(z) + c``, and its polar decomposition turns by the angle 
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array
+from scipy.sparse import block_array, csr_array, diags_array
 from scipy.sparse.linalg import splu
 
 from tween.align import match
@@ -28,16 +29,14 @@ from tween.triangulation import Triangulation
 _Floats = NDArray[np.float64]
 _Complexes = NDArray[np.complex128]
 
-LEAST_WEIGHT = 1e-4
-"""Weight of an edge that keeps its length, as a fraction of the largest: the tolerance of Sederberg et al."""
-
+_LEAST_WEIGHT = 1e-4  # of an edge that keeps its length, as a fraction of the largest weight
 _NO_CHANGE = 1e-9  # changes of length below this fraction of the mean length are rounding errors
 
 
 class Baseline(Morph):
     """A morph by one of the methods to compare with; made by the functions of this module.
 
-    It is used as any `tween.Morph`: no flips, and the triangles in force are always the source's.
+    It is used as any `tween.Morph`; it has no flips, and its triangles are always the source's.
 
     Attributes
     ----------
@@ -55,7 +54,7 @@ class Baseline(Morph):
         return f"Baseline({self.name}, {len(self.source)} vertices)"
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Still:
     """A `tween.motion.Motion` that keeps its triangles."""
 
@@ -116,19 +115,15 @@ def edge_angle(source: Triangulation, target: Triangulation) -> Baseline:
     -----
     As published: the angles are kept and the length of edge i changes by s_i, so that the sum of
     (s_i / w_i)**2 is least among all changes that close the polygon; w_i is the difference of the edge's
-    two lengths, and at least `LEAST_WEIGHT` times the largest difference.  An adjusted length may be
-    negative.  Vertex 0 moves along a straight line and one edge turns linearly, so all edges do.
+    two lengths, and at least 1e-4 of the largest difference.  An adjusted length may be negative.
+    Vertex 0 moves along a straight line, and edge 0 turns at constant speed; therefore all edges do.
 
-    Our choices, where the paper is silent: of the directions that the polygon as a whole may be turned by
-    full turns, the one that turns the edges by least than half a turn on average; and equal weights
-    where no length changes by more than a rounding error.
-
-    The change is the least-norm solution of two equations, by pseudo-inverse.  O(n k).
+    Where the paper is silent, our choices: as many full turns of the whole polygon as make its edges turn
+    by at most half a turn on average, and equal weights where no length changes by more than a rounding error.
+    The changes are the least-norm solution of two equations, by numpy's pseudo-inverse.  O(n k).
 
     Examples
     --------
-    A square that becomes a rectangle: the angles stay, the lengths close by themselves.
-
     >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
     >>> edge_angle(T, T.moved(T.points * [3, 1]))(0.5).round(12).tolist()
     [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]
@@ -142,14 +137,14 @@ def edge_angle(source: Triangulation, target: Triangulation) -> Baseline:
     (l0, d0), (l1, d1) = _lengths_and_directions(p), _lengths_and_directions(q)
     d1 = d0 + _least_turn(d1 - d0)
     w = np.abs(l1 - l0)
-    w = np.maximum(w, max(LEAST_WEIGHT * w.max(), _NO_CHANGE * np.mean(l0 + l1)))
+    w = np.maximum(w, max(_LEAST_WEIGHT * w.max(), _NO_CHANGE * np.mean(l0 + l1)))
 
     def at(t: _Floats) -> _Complexes:
-        units = np.exp(1j * _between(d0, d1, t))
+        units: _Complexes = np.exp(1j * _between(d0, d1, t))
         edges = units * _closing_lengths(units, _between(l0, l1, t), w)
-        return _between(p[:1], q[:1], t) + np.cumsum(edges, axis=1) - edges.sum(axis=1, keepdims=True)
+        return _between(p[:1], q[:1], t) + np.cumsum(edges, axis=1) - edges
 
-    return Baseline("edge_angle", source, target, lambda t: np.roll(at(t), 1, axis=1))
+    return Baseline("edge_angle", source, target, at)
 
 
 def as_rigid_as_possible(source: Triangulation, target: Triangulation, unwrap: bool = True) -> Baseline:
@@ -161,9 +156,8 @@ def as_rigid_as_possible(source: Triangulation, target: Triangulation, unwrap: b
         With equally many vertices; vertex i of one moves to vertex i of the other.  The source's triangles
         are used; they need not be counter-clockwise in the target.
     unwrap : bool
-        Whether neighbouring triangles turn the same way: each by less than half a turn more or less than
-        its neighbours, where the paper lets each take its own shorter way, which tears a spiral apart
-        where the angle passes half a turn.
+        Whether neighbours turn coherently, their angles differing by at most half a turn.  In the paper
+        every triangle turns by its own shorter way, which folds a spiral where the angle passes half a turn.
 
     Returns
     -------
@@ -181,18 +175,16 @@ def as_rigid_as_possible(source: Triangulation, target: Triangulation, unwrap: b
     As published: the affine map of each triangle from source to target is a turn after a symmetric stretch,
     A = R S; at time t it should be A(t) = R(t) ((1-t) I + t S), R(t) turning by t times the angle of R.  The
     shape is the one whose affine maps are nearest to these, in the sum of squared Frobenius distances over
-    the triangles, not weighted by area; vertex 0 moves along a straight line.  The sum looks from the source:
-    the morph from target to source is another one, as in the paper before it is symmetrised.
+    the triangles, not weighted by area; vertex 0 moves along a straight line.  The maps lead from the source,
+    so the way back is another one; the paper's symmetric variant is not implemented.  A triangle that is
+    clockwise in the target is stretched by a negative factor.
 
-    The normal equations are those of the paper, one sparse factorisation for all times; the solution
-    is refined once with its own residual, as they square the condition of thin triangles.  A chain of
-    angles is unwrapped along the dual tree, and the whole then turned back by as many full turns as makes
-    the triangles turn by less than half a turn on average.  O(n k).
+    Our choices: angles are unwrapped along the dual tree, with as many full turns of the whole as make the
+    triangles turn by at most half a turn on average; and SuperLU factorises, once for all times, not the
+    normal equations, which lose all digits on very thin triangles, but the augmented system.  About O(n k).
 
     Examples
     --------
-    A triangle that turns by 90 degrees and becomes three times as long has turned by 45 degrees at half time.
-
     >>> T = Triangulation([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
     >>> z = as_rigid_as_possible(T, T.moved([[0, 0], [0, 3], [-1, 0]]))(0.5)[1]
     >>> np.hypot(*z).round(12).item(), np.degrees(np.arctan2(z[1], z[0])).round(12).item()
@@ -208,15 +200,16 @@ def as_rigid_as_possible(source: Triangulation, target: Triangulation, unwrap: b
     for i in np.flatnonzero(~(source.areas > 0)):
         raise TriangulationError(f"triangle {i} of the source has area {source.areas[i]:g}, expected a positive one")
     gradient = _gradient(source)
-    a, b = _affine(gradient @ q)
+    along_x, along_y = (gradient @ q).reshape(2, -1)
+    a, b = (along_x - 1j * along_y) / 2, (along_x + 1j * along_y) / 2
     angles = _unwrapped(np.angle(a), source) if unwrap else np.angle(a)
-    solve = _least_squares(gradient[:, 1:])
+    solve = _least_squares(gradient[:, 1:], np.ptp(source.points).item())
     size, shear = np.abs(a), b * np.exp(-1j * np.angle(a))
 
     def at(t: _Floats) -> _Complexes:
         turn = np.exp(1j * np.multiply.outer(t, angles))
         c, d = turn * _between(np.ones_like(size), size, t), turn * _between(0 * shear, shear, t)
-        z = solve(np.concatenate([c + d, 1j * (c - d)], axis=1).T).T
+        z = solve(np.concatenate([c + d, 1j * (c - d)], axis=1))
         return _between(p[:1], q[:1], t) + np.pad(z, ((0, 0), (1, 0)))
 
     return Baseline("as_rigid_as_possible", source, target, at)
@@ -231,7 +224,7 @@ BASELINES: dict[str, Callable[[Triangulation, Triangulation], Baseline]] = {
 
 
 def _matched(source: Triangulation, target: Triangulation) -> tuple[_Complexes, _Complexes]:
-    """The points of both, or the `IncompatibleError` that says how many there are."""
+    """Return the points of both where there are equally many."""
     if len(source) != len(target):
         raise IncompatibleError(
             f"the target has {len(target)} vertices, expected {len(source)} as the source has; `align` inserts some"
@@ -240,7 +233,7 @@ def _matched(source: Triangulation, target: Triangulation) -> tuple[_Complexes, 
     return p, q
 
 
-def _between(start: NDArray, end: NDArray, t: _Floats) -> NDArray:
+def _between(start: NDArray[Any], end: NDArray[Any], t: _Floats) -> NDArray[Any]:
     """Interpolate (n,) arrays linearly, all times at once; (k, n)."""
     return np.multiply.outer(1 - t, start) + np.multiply.outer(t, end)
 
@@ -280,32 +273,26 @@ def _gradient(T: Triangulation) -> csr_array:
     return csr_array((slopes.ravel(), (rows, columns)), shape=(2 * len(T.triangles), len(T)))
 
 
-def _affine(slopes: _Complexes) -> tuple[_Complexes, _Complexes]:
-    """The coefficients a, b of the maps z -> a z + b conj(z) of given slopes along x, then y."""
-    x, y = slopes.reshape(2, -1)
-    return (x - 1j * y) / 2, (x + 1j * y) / 2
-
-
 def _unwrapped(angles: _Floats, T: Triangulation) -> _Floats:
     """Add full turns, so that neighbours differ by at most half a turn."""
     result, tree = angles.copy(), rooted(T, 0)
     for t in tree.order[1:]:
         parent = T.twin.ravel()[tree.base[t]] // 3
-        more = angles[t] - result[parent]
-        result[t] = result[parent] + more - 2 * np.pi * np.round(more / (2 * np.pi))
+        result[t] -= 2 * np.pi * np.round((angles[t] - result[parent]) / (2 * np.pi))
     return _least_turn(result)
 
 
-def _least_squares(matrix: csr_array) -> Callable[[_Complexes], _Complexes]:
-    """Factorise the normal equations; return the solver for many right-hand sides, (2m, k) to (n-1, k)."""
-    factors = splu((matrix.T @ matrix).tocsc())
-
-    def solve_once(sides: _Complexes) -> _Complexes:
-        pairs = np.ascontiguousarray(matrix.T @ sides).view(np.float64)
-        return np.ascontiguousarray(factors.solve(pairs)).view(np.complex128)
+def _least_squares(matrix: csr_array, size: float) -> Callable[[_Complexes], _Complexes]:
+    """Factorise the augmented system of a full-rank problem in units of 1/size; its solver, (k, 2m) to (k, n-1)."""
+    rows, columns = matrix.shape
+    residuals = diags_array(np.full(rows, 1 / size))
+    factors = splu(block_array([[residuals, matrix], [matrix.T, None]], format="csc"))
 
     def solve(sides: _Complexes) -> _Complexes:
-        first = solve_once(sides)
-        return first + solve_once(sides - matrix @ first)
+        z = np.pad(sides, ((0, 0), (0, columns)))
+        # One by one: for many at once SuperLU calls BLAS, whose threads wait for each other over tiny blocks.
+        for i in range(len(z)):
+            z[i] = factors.solve(z[i].real) + 1j * factors.solve(z[i].imag)
+        return z[:, rows:]
 
     return solve
