@@ -6,7 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tween.paths import PATHS, slides, third_vertices
+from tween.paths import area_apex, base_angles, slides, third_vertices
+
+PAPER = ("linear", "slide")
+PATHS = (*PAPER, "angle", "metric")  # "area" takes the lengths of bases, so it is laid out: see test_morph
 
 TIMES = np.linspace(0, 1, 201)
 BOTH_ARCS = (-1 + 1j, 2 + 1j)  # the distances to 0 and to 1 both fall and rise along the segment
@@ -16,7 +19,7 @@ edges = st.tuples(st.booleans(), st.booleans())
 
 
 def along(path: str, z1: complex, z2: complex, propagates=(True, True), times=TIMES) -> NDArray[np.complex128]:
-    return third_vertices(path, np.array([z1]), np.array([z2]), np.array([propagates]), times)[0]
+    return third_vertices(path, np.array([z1]), np.array([z2]), np.array([propagates]), np.ones(1), times)[0]
 
 
 def is_monotone(x: NDArray[np.float64], slack: float = 1e-9) -> bool:
@@ -27,8 +30,33 @@ def is_monotone(x: NDArray[np.float64], slack: float = 1e-9) -> bool:
 @given(apexes, apexes, edges, st.sampled_from(PATHS))
 def test_a_path_leads_from_one_end_to_the_other_above_the_base(z1, z2, propagates, path) -> None:
     z = along(path, z1, z2, propagates)
-    np.testing.assert_allclose(z[[0, -1]], [z1, z2], rtol=1e-12)
-    assert z.imag.min() >= min(z1.imag, z2.imag) * (1 - 1e-9) > 0
+    np.testing.assert_allclose(z[[0, -1]], [z1, z2], rtol=1e-11)
+    assert z.imag.min() > 0
+    if path != "angle":
+        assert z.imag.min() >= min(z1.imag, z2.imag) * (1 - 1e-9)
+
+
+@given(apexes, apexes)
+def test_along_the_path_of_angles_every_angle_changes_linearly(z1, z2) -> None:
+    first, second = (base_angles(np.array([z]))[0] for z in (z1, z2))
+    found = base_angles(along("angle", z1, z2))
+    np.testing.assert_allclose(found, first + np.outer(TIMES, second - first), atol=1e-9)
+    np.testing.assert_allclose(found.sum(axis=1), np.pi)
+
+
+@given(apexes, apexes, st.floats(0.1, 10))
+def test_along_the_path_of_metrics_every_squared_length_changes_linearly(z1, z2, stretch) -> None:
+    z = third_vertices("metric", np.array([z1]), np.array([z2]), np.zeros((1, 2), bool), np.array([stretch]), TIMES)[0]
+    base = 1 + TIMES * (stretch**2 - 1)
+    for squares in (abs(z) ** 2 * base, abs(z - 1) ** 2 * base):
+        np.testing.assert_allclose(squares, squares[0] + TIMES * (squares[-1] - squares[0]), rtol=1e-9, atol=1e-9)
+
+
+@given(st.floats(-4, 5), st.floats(-12, 1))
+def test_height_and_difference_of_angles_determine_a_triangle(x, magnitude) -> None:
+    z = complex(x, 10.0**magnitude)
+    a, b, c = base_angles(np.array([z]))[0]
+    assert abs(area_apex(z.imag, 2 * a + c, 2 * b + c) - z) < 1e-9 * max(1, abs(z))
 
 
 @given(apexes, apexes, edges)
@@ -43,7 +71,7 @@ def test_slide_keeps_many_random_lengths_monotone() -> None:
     rng = np.random.default_rng(8)
     z1, z2 = (rng.uniform(-3, 4, 20_000) + 1j * rng.exponential(1, 20_000) for _ in range(2))
     propagates = rng.random((20_000, 2)) < 0.7
-    z = third_vertices("slide", z1, z2, propagates, np.linspace(0, 1, 41))
+    z = third_vertices("slide", z1, z2, propagates, np.ones(len(z1)), np.linspace(0, 1, 41))
     for end in (0, 1):
         steps = np.diff(abs(z - end), axis=1)
         monotone = (steps >= -1e-9).all(axis=1) | (steps <= 1e-9).all(axis=1)
@@ -64,8 +92,8 @@ def test_mirror_images_of_a_path_are_paths(z1, z2, propagates, path) -> None:
     np.testing.assert_allclose(1 - mirrored.conj(), along(path, z1, z2, propagates), atol=1e-9)
 
 
-@given(apexes, apexes, edges, st.sampled_from(PATHS))
-def test_a_path_is_travelled_at_constant_speed(z1, z2, propagates, path) -> None:
+@given(apexes, apexes, edges, st.sampled_from(PAPER))
+def test_a_path_of_the_paper_is_travelled_at_constant_speed(z1, z2, propagates, path) -> None:
     steps = abs(np.diff(along(path, z1, z2, propagates, np.linspace(0, 1, 2001))))
     # A chord is shorter than its arc in second order, and where two pieces meet at an angle once.
     assert np.sort(steps)[10:].min() >= steps.max() * (1 - 1e-3) or steps.max() < 1e-12
@@ -122,7 +150,7 @@ def test_two_arcs_apart_are_joined_by_a_straight_piece() -> None:
 
 @given(apexes, edges, st.sampled_from(PATHS))
 def test_nothing_moves_between_equal_ends(z, propagates, path) -> None:
-    np.testing.assert_array_equal(along(path, z, z, propagates), np.full(len(TIMES), z))
+    np.testing.assert_allclose(along(path, z, z, propagates), np.full(len(TIMES), z), rtol=1e-11)
 
 
 @given(apexes, apexes, edges)
@@ -132,5 +160,5 @@ def test_a_path_does_not_depend_on_which_times_are_asked_for(z1, z2, propagates)
 
 
 def test_an_unknown_path_is_refused() -> None:
-    with pytest.raises(ValueError, match="path is 'spline', expected one of linear, slide"):
+    with pytest.raises(ValueError, match="path is 'spline', expected one of linear, slide, angle, area, metric"):
         along("spline", 1j, 2j)

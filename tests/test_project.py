@@ -21,7 +21,7 @@ LAYERS = (
     {"predicates"},
     {"curve"},
     {"triangulation"},
-    {"flips", "dual", "table", "paths"},
+    {"flips", "dual", "table", "paths", "budgets"},
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},

@@ -8,15 +8,18 @@ Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; `
 
 import cmath
 import math
+from typing import Any
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.budgets import Budgets, keep_to_budget, needed_budgets, no_budgets
 from tween.dual import RootedTree, disk_center, rooted, tree_center
-from tween.paths import Path, third_vertices
+from tween.paths import Path, area_apex, base_angles, third_vertices
 from tween.triangulation import Triangulation
 
+_THINNEST = 2.0**-60
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
 
@@ -32,24 +35,33 @@ class Leg:
         See `tween.paths`.
     root : int
         Number of the root triangle.
+    guarantee : bool
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `tween.budgets`.
 
     Notes
     -----
-    The root's base changes its length and direction linearly, and its centre of mass moves linearly;
-    the paper says only that the root is "smoothly interpolated".
+    The root's base changes its length (along "metric" its square) and direction linearly, and its centre
+    of mass moves linearly; the paper says only that the root is "smoothly interpolated".
 
     References
     ----------
     Mukherjee and Gopi, Section 5.
     """
 
-    def __init__(self, source: Triangulation, target: NDArray[np.float64], path: Path, root: int) -> None:
+    def __init__(
+        self, source: Triangulation, target: NDArray[np.float64], path: Path, root: int, guarantee: bool = False
+    ) -> None:
         self.source, self.target = source, target
         self._path, self._tree = path, rooted(source, root)
         self._corners = _corners_from_base(source.triangles, self._tree)
         self._start, self._end = _complex(source.points)[self._corners], _complex(target)[self._corners]
         self._thirds = _third(self._start), _third(self._end)
         self._propagates = _propagates(source.twin, self._tree)
+        self._areas = _areas(self._start, self._end)
+        self.budgets = no_budgets(len(self._corners))
+        if guarantee:
+            angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
+            self.budgets = needed_budgets(self._corners, *angles, self._angles_at)
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lay out the triangles of all times, the root first and each child on its base.
@@ -64,14 +76,31 @@ class Leg:
         ndarray of float64, shape (k, n, 2)
             At times 0 and 1 exactly the source and the target.
         """
-        z = third_vertices(self._path, *self._thirds, self._propagates, t)
-        a, e = _move_root(self._start[0], self._end[0], z[0], t)
-        n = len(self.source)
-        laid = _lay_out(self._corners, self._tree.base, self._tree.order, self.source.twin, z, a, e, n)
-        shapes = np.ascontiguousarray(laid.T).view(np.float64).reshape(len(t), n, 2)
+        laid, _ = self._lay_out(t, self.budgets)
+        shapes = np.ascontiguousarray(laid.T).view(np.float64).reshape(len(t), len(self.source), 2)
         shapes[t == 0] = self.source.points
         shapes[t == 1] = self.target
         return shapes
+
+    def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
+        """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
+        _, z = self._lay_out(t, budgets)
+        return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
+
+    def _lay_out(
+        self, t: NDArray[np.float64], budgets: Budgets
+    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        by_area = self._path == "area"
+        stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
+        if by_area:
+            z = np.empty((len(stretch), len(t)), np.complex128)
+        else:
+            z = third_vertices(self._path, *self._thirds, self._propagates, stretch, t)
+        e = _root_base(self._start[0], self._end[0], self._path == "metric", t)
+        shapes = _hang(
+            self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
+        )
+        return shapes + _centre(self._start[0], self._end[0], t) - shapes[self._corners[0]].mean(axis=0), z
 
 
 def root_triangle(root: str | int, *shapes: Triangulation) -> int:
@@ -124,12 +153,30 @@ def _propagates(twin: NDArray[np.int64], tree: RootedTree) -> NDArray[np.bool_]:
 
 def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
     a, b, c = corners.T
-    return (c - a) / (b - a)
+    z: NDArray[np.complex128] = (c - a) / (b - a)
+    z.imag = np.maximum(z.imag, _THINNEST * np.abs(z))  # positive triangles, whatever rounding made of the thinnest
+    return z
+
+
+def _areas(start: NDArray[np.complex128], end: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Twice the area, and pi plus and minus the difference of the angles at the base, each at both ends; (m, 6)."""
+    columns = []
+    for corners in (start, end):
+        columns.append(np.abs(corners[:, 1] - corners[:, 0]) ** 2 * _third(corners).imag)
+    for s in (0, 1):
+        for corners in (start, end):
+            angles = base_angles(_third(corners))
+            columns.append(2 * angles[:, s] + angles[:, 2])
+    return np.stack(columns, axis=1)
+
+
+def _centre(source: NDArray[np.complex128], target: NDArray[np.complex128], t: NDArray[np.float64]) -> NDArray[Any]:
+    return (1 - t) * source.mean() + t * target.mean()
 
 
 @njit(cache=True)
-def _move_root(source, target, z, t):
-    """Move the root: (a, e) at every time, from its corners at both ends and its z on the way."""
+def _root_base(source, target, by_squares, t):
+    """The base of the root, b - a, at every time."""
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = cmath.phase(e2 / e1)
     if abs(abs(turn) - math.pi) < _HALF_TURN:
@@ -137,33 +184,46 @@ def _move_root(source, target, z, t):
         way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
         if turn * way < 0.0:
             turn += 2.0 * math.pi * way
-    a, e = np.empty_like(z), np.empty_like(z)
+    e = np.empty(t.size, np.complex128)
     for f in range(t.size):
-        e[f] = cmath.rect((1 - t[f]) * abs(e1) + t[f] * abs(e2), cmath.phase(e1) + t[f] * turn)
-        centre = ((1 - t[f]) * (source[0] + source[1] + source[2]) + t[f] * (target[0] + target[1] + target[2])) / 3
-        a[f] = centre - e[f] * (1 + z[f]) / 3
-    return a, e
+        if by_squares:
+            length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
+        else:
+            length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
+        e[f] = cmath.rect(length, cmath.phase(e1) + t[f] * turn)
+    return e
 
 
 @njit(cache=True)
-def _lay_out(corners, base, order, twin, z, root_a, root_e, n):
-    """Shapes, (n, k), from the third vertices z, (m, k), in tree order."""
+def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, last, low, high, sides):
+    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area and kept to the budgets."""
     m, k = z.shape
     place = np.empty(m, np.int64)
     for i in range(m):
         place[order[i]] = i
-    shapes, bases = np.empty((n, k), np.complex128), np.empty((m, k), np.complex128)
-    bases[0] = root_e
-    shapes[corners[0, 0]] = root_a
-    shapes[corners[0, 1]] = root_a + root_e
+    shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
+    bases[0] = root_base
+    shapes[corners[0, 0]] = 0.0
+    shapes[corners[0, 1]] = root_base
     for i in range(m):
-        t = order[i]
-        across_bc, across_ca = twin[t, (base[t] + 1) % 3], twin[t, (base[t] + 2) % 3]
+        node = order[i]
+        if by_area:
+            for f in range(k):
+                double_area = (1 - t[f]) * areas[i, 0] + t[f] * areas[i, 1]
+                length = abs(bases[i, f])
+                above = (1 - t[f]) * areas[i, 2] + t[f] * areas[i, 3]
+                below = (1 - t[f]) * areas[i, 4] + t[f] * areas[i, 5]
+                z[i, f] = area_apex(double_area / (length * length), above, below)
+        if np.isfinite(low[i]).any():
+            for f in range(k):
+                z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i], sides[i], by_area)
         shapes[corners[i, 2]] = shapes[corners[i, 0]] + z[i] * bases[i]
+        across_ab, across_bc = twin[node, base[node] % 3], twin[node, (base[node] + 1) % 3]
+        across_ca = twin[node, (base[node] + 2) % 3]
         if across_ca >= 0:
             bases[place[across_ca // 3]] = z[i] * bases[i]
         if across_bc >= 0:
             bases[place[across_bc // 3]] = (1.0 - z[i]) * bases[i]
-        if i == 0 and twin[t, base[t] % 3] >= 0:
-            bases[place[twin[t, base[t] % 3] // 3]] = -bases[0]
+        if i == 0 and across_ab >= 0:
+            bases[place[across_ab // 3]] = -bases[0]
     return shapes

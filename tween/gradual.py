@@ -100,6 +100,8 @@ class Flow:
     order : {"partial", "sequential"}
         "sequential" waits for each flip in turn, as the paper does.  "partial" lets a flip go ahead as
         soon as it is possible and the flips before it that touch the same triangles are done.
+    guarantee : bool
+        Whether angle budgets keep every shape on the way the boundary of an immersed disk.
 
     Attributes
     ----------
@@ -124,8 +126,16 @@ class Flow:
     Mukherjee and Gopi, Section 6.2 and Figure 10.
     """
 
-    def __init__(self, T: Triangulation, flips: FlipSequence, path: Path, root: str | int, order: Order) -> None:
-        self._flips, self._path, self._root = flips, path, root
+    def __init__(
+        self,
+        T: Triangulation,
+        flips: FlipSequence,
+        path: Path,
+        root: str | int,
+        order: Order,
+        guarantee: bool = False,
+    ) -> None:
+        self._flips, self._path, self._root, self._guarantee = flips, path, root, guarantee
         self.start, self._disk = T, T.on_disk().points
         self._stages: list[int] = []
         self._waiting = _Waiting(flips, sequential=order == "sequential")
@@ -147,7 +157,7 @@ class Flow:
 
     def _move_on(self) -> None:
         """Run to the first time at which a waiting flip is possible, and flip."""
-        leg = Leg(self.final, self._disk, self._path, root_triangle(self._root, self.final))
+        leg = Leg(self.final, self._disk, self._path, root_triangle(self._root, self.final), self._guarantee)
         share, points = self._first_possible(leg)
         if share > 0:
             self.pieces.append(Piece(leg, 0.0, share))
@@ -238,6 +248,8 @@ class Through:
     path : str
     root : "disk-center", "tree-center" or int
         Of the way to the end of the flow.
+    guarantee : bool
+        Whether angle budgets keep every shape on that way the boundary of an immersed disk.
 
     Attributes
     ----------
@@ -251,9 +263,9 @@ class Through:
     their velocities is constant, up to the sampling of each piece at 33 shapes.
     """
 
-    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int) -> None:
+    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int, guarantee: bool = False) -> None:
         end = T.moved(flow.final.points)
-        straight = Leg(T, end.points, path, root_triangle(root, T, end))
+        straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee)
         self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
         starts = self._set_pace()
         rows = match_rows(flow.final.triangles, T.triangles)

@@ -43,6 +43,7 @@ def morph(
     target: Triangulation | Curve | ArrayLike,
     path: Path = "slide",
     root: Root = "disk-center",
+    guarantee: bool = False,
     strategy: Strategy = "auto",
     order: Order = "partial",
     shifts: Shifts = "pivots",
@@ -54,11 +55,14 @@ def morph(
     source, target : Triangulation, Curve or array_like of shape (n, 2)
         Where they have different numbers of vertices, vertices are inserted on the one with fewer, see
         `align`.  A curve stands for its constrained Delaunay triangulation.
-    path : {"slide", "linear"}
-        How third vertices move, see `tween.paths`.
+    path : {"slide", "linear", "angle", "area", "metric"}
+        How third vertices move, see `tween.paths`; the first two are the paper's.
     root : {"disk-center", "tree-center"} or int
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
         choice), the centre of the dual tree, or a triangle of the source by number.
+    guarantee : bool
+        Whether angle budgets keep every shape on the way the boundary of an immersed disk, see
+        `tween.budgets`.  Without it only the path "angle" does, where there are no flips.
     strategy : {"auto", "paper", "common"}
         "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
         gradually (Section 6).  "common": retriangulate both curves with a triangulation that is valid in
@@ -88,7 +92,8 @@ def morph(
     Notes
     -----
     Every triangle in force stays counter-clockwise at all times.  That alone does not make every shape
-    the boundary of an immersed disk: angles around a vertex may add up to more than 2 pi on the way.
+    the boundary of an immersed disk, as the paper has it: angles around a vertex may add up to more than
+    2 pi on the way.  With `guarantee` they do not; it costs a few times the plain path.
 
     Examples
     --------
@@ -110,9 +115,18 @@ def morph(
     own = alignment.exchanged() if swapped else alignment
     shift = alignment.shift if swapped else 0
     if alignment.crossings == 0:
-        leg = _straight(alignment, own, shift, path, root)
-        return Morph(_Compatible(leg), own, swapped, shift)
-    return _gradual_morph(alignment, own, swapped, shift, path, root, order)
+        leg = _straight(alignment, own, shift, path, root, guarantee)
+        return Morph(_Compatible(leg), own, swapped, shift, proof=_proof(path, guarantee, flips=False))
+    return _gradual_morph(alignment, own, swapped, shift, path, root, order, guarantee)
+
+
+def _proof(path: Path, guarantee: bool, flips: bool) -> str:
+    """Why every shape bounds an immersed disk, where that needs no looking at shapes."""
+    if guarantee:
+        return "angle budgets keep the sum of the angles at every vertex below 2 pi"
+    if path == "angle" and not flips:
+        return "every angle changes linearly, so the sums at the vertices stay between those of the two ends"
+    return ""
 
 
 def _check_options(path: str, strategy: str, order: str, shifts: Shifts) -> None:
@@ -187,11 +201,11 @@ def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts)
     return int(np.argmin(crossings_by_shift(first, second, np.arange(len(first))))), None
 
 
-def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root) -> Leg:
+def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root, guarantee: bool) -> Leg:
     first = alignment.source
     second = first.moved(alignment.target.points)
     row = _row(root, own.source, shift, first.triangles)
-    return Leg(first, second.points, path, root_triangle(row, first, second))
+    return Leg(first, second.points, path, root_triangle(row, first, second), guarantee)
 
 
 def _row(root: Root, source: Triangulation, shift: int, triangles: NDArray[np.int64]) -> Root:
@@ -204,7 +218,14 @@ def _row(root: Root, source: Triangulation, shift: int, triangles: NDArray[np.in
 
 
 def _gradual_morph(
-    alignment: Alignment, own: Alignment, swapped: bool, shift: int, path: Path, root: Root, order: Order
+    alignment: Alignment,
+    own: Alignment,
+    swapped: bool,
+    shift: int,
+    path: Path,
+    root: Root,
+    order: Order,
+    guarantee: bool,
 ) -> Morph:
     """Run both flows, and take the way through the one that is done with its flips first."""
     shapes = alignment.source, alignment.target
@@ -215,11 +236,11 @@ def _gradual_morph(
         roots[mine] = root_triangle(root, own.source)
         flipped = _after(shapes[mine], sequences[mine])
         roots[other] = int(np.flatnonzero(match_rows(flipped, shapes[other].triangles) == roots[mine])[0])
-    flows = [Flow(shapes[i], sequences[i], path, roots[i], order) for i in (0, 1)]
+    flows = [Flow(shapes[i], sequences[i], path, roots[i], order, guarantee) for i in (0, 1)]
     by = 1 if flows[1].end <= flows[0].end else 0
-    motion = Through(shapes[1 - by], flows[by], path, roots[1 - by])
+    motion = Through(shapes[1 - by], flows[by], path, roots[1 - by], guarantee)
     u, v = (flow.end for flow in (reversed(flows) if swapped else flows))
-    return Morph(motion, own, swapped != (by == 0), shift, (u, v))
+    return Morph(motion, own, swapped != (by == 0), shift, (u, v), _proof(path, guarantee, flips=True))
 
 
 def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:

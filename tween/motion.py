@@ -53,6 +53,8 @@ class Morph:
         How the two were matched.
     events : list of Event
         The flips on the way, in order of time; none between compatible triangulations.
+    proof : str
+        Why every shape bounds an immersed disk, where that is so by construction; otherwise empty.
     u, v : float or None
         When the flow of the source, and that of the target, has done its last flip; None without flips.
     """
@@ -64,7 +66,9 @@ class Morph:
         backwards: bool,
         shift: int,
         flows: tuple[float, float] | None = None,
+        proof: str = "",
     ) -> None:
+        self.proof = proof
         self.alignment = alignment
         self.source, self.target = alignment.source, alignment.target
         self.source_vertices, self.target_vertices = alignment.source_vertices, alignment.target_vertices

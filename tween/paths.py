@@ -11,6 +11,10 @@ leads from the z of the source to that of the target:
                     , - ~ - ,  z2'
                z1 .'         `.  . . . . z2        from z1 along the arc about 0 to the chord's exit,
                   |     0     |                    then along the segment
+    angle    the three angles of the triangle change linearly
+    metric   the squares of the three edge lengths change linearly
+    area     the area of the triangle changes linearly, and so does the difference of the two angles
+             at the base; where it ends up depends on the length of the base at every moment
 
 Legend: ``p q`` ends of a piece of a path; ``end`` an end of the base, 0 or 1; ``l1 l2`` distances of z1
 and z2 to it; ``s`` position along the segment, 0 to 1; ``t`` time.
@@ -23,11 +27,12 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Path = Literal["linear", "slide"]
+Path = Literal["linear", "slide", "angle", "area", "metric"]
 PATHS: tuple[Path, ...] = get_args(Path)
 
 _LINE = -1.0  # the `end` of a straight piece; arcs have the end of the base about which they turn
 _MOST_PIECES = 5
+_FLATTEST = 1e-17  # sine of the angle difference of a triangle that rounding has made flat
 
 
 def third_vertices(
@@ -35,17 +40,21 @@ def third_vertices(
     source: NDArray[np.complex128],
     target: NDArray[np.complex128],
     propagates: NDArray[np.bool_],
+    stretch: NDArray[np.float64],
     times: NDArray[np.float64],
 ) -> NDArray[np.complex128]:
     """Move the third vertex of every triangle along its path.
 
     Parameters
     ----------
-    path : {"linear", "slide"}
+    path : {"linear", "slide", "angle", "metric"}
+        "area" depends on the parents, see `area_apex`.
     source, target : ndarray of complex, shape (m,)
         Third vertices over the base from 0 to 1, in the upper half plane.
     propagates : ndarray of bool, shape (m, 2)
         Whether the edge to 0, and that to 1, is the base of a child.
+    stretch : ndarray of float, shape (m,)
+        Length of the base in the target over that in the source.
     times : ndarray of float, shape (k,)
         From 0 (source) to 1 (target).
 
@@ -60,6 +69,11 @@ def third_vertices(
 
     Notes
     -----
+    "linear" and "slide" are the paper's, the others ours.  Along "angle" the sum of the angles at a vertex
+    stays between those of source and target; "metric" is that of Chen, Weber, Keren and Ben-Chen
+    (2013), which needs no correction here since triangles that form a tree fit together whatever their
+    shapes.
+
     The paper fixes the shape of the slide path; these are our choices.  Every path is traversed at
     constant speed.  Lengths are compared relative to the base, since the base is what D aligns.  The
     paper says that of two propagation edges at most one is non-monotone.  That is not so: both are for
@@ -69,7 +83,7 @@ def third_vertices(
     Examples
     --------
     >>> z = third_vertices("slide", np.array([-1 + 1j]), np.array([1 + 1j]), np.array([[True, False]]),
-    ...                    np.array([0.0, 0.5, 1.0]))
+    ...                    np.ones(1), np.array([0.0, 0.5, 1.0]))
     >>> np.abs(z).round(12)  # the distance to 0 stays, where a straight line would come as close as 1
     array([[1.41421356, 1.41421356, 1.41421356]])
 
@@ -81,7 +95,70 @@ def third_vertices(
         return source[:, None] + times * (target - source)[:, None]
     if path == "slide":
         return _slide(source, target, propagates, times)
+    if path == "angle":
+        return _by_angles(source, target, times)
+    if path == "metric":
+        return _by_metric(source, target, stretch, times)
     raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
+
+
+def base_angles(z: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Angles of triangles at 0, at 1 and at their third vertex.
+
+    Parameters
+    ----------
+    z : ndarray of complex, shape (m,)
+        Third vertices, in the upper half plane.
+
+    Returns
+    -------
+    ndarray of float64, shape (m, 3)
+        Radians.
+    """
+    return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
+
+
+def _by_angles(
+    source: NDArray[np.complex128], target: NDArray[np.complex128], times: NDArray[np.float64]
+) -> NDArray[np.complex128]:
+    first, second = base_angles(source), base_angles(target)
+    a, b, c = ((1 - times) * first[:, i, None] + times * second[:, i, None] for i in range(3))
+    return np.sin(b) / np.sin(c) * np.exp(1j * a)
+
+
+def _by_metric(
+    source: NDArray[np.complex128],
+    target: NDArray[np.complex128],
+    stretch: NDArray[np.float64],
+    times: NDArray[np.float64],
+) -> NDArray[np.complex128]:
+    """Average the Gram matrices of base and edge to 0.
+
+    With weights p, q of sum 1, in proportion to the squared bases, the real part of z is the mean of the two, and
+    the square of the imaginary part the mean of the squares plus p q times the squared difference of the
+    real parts: positive, and free of cancellation.
+    """
+    weight = times * (stretch**2)[:, None]
+    q = weight / (1 - times + weight)
+    p = 1 - q
+    x1, y1, x2, y2 = (part[:, None] for part in (source.real, source.imag, target.real, target.imag))
+    return p * x1 + q * x2 + 1j * np.sqrt(p * y1**2 + q * y2**2 + p * q * (x1 - x2) ** 2)
+
+
+@njit(cache=True)
+def area_apex(height, above, below):
+    """The third vertex at a height h over the base, with a difference d of the angles at 0 and at 1.
+
+    Given are ``above`` = pi + d and ``below`` = pi - d, of which the smaller one is precise even where the
+    triangle is flat.  The foot is 1/2 + w with tan d = -2 h w / (1/4 - w**2 + h**2); of the two solutions that for
+    which d has the sign of the larger angle, written so that nothing cancels.
+    """
+    s, c = (math.sin(below), -math.cos(below)) if below < above else (-math.sin(above), -math.cos(above))
+    if abs(s) < _FLATTEST:
+        s = math.copysign(_FLATTEST, above - below)
+    root = math.sqrt(height * height + 0.25 * s * s)
+    w = -s * (height * height + 0.25) / (height * c + root) if c > 0.0 else (height * c - root) / s
+    return complex(0.5 + w, height)
 
 
 def slides(
