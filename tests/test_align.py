@@ -26,7 +26,7 @@ from tween import (
     spine,
     triangulate,
 )
-from tween.align import distortion
+from tween.costs import distortion
 from tween.gallery import curve, letter, names, random_disk
 
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]

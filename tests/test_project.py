@@ -21,7 +21,7 @@ LAYERS = (
     {"predicates"},
     {"curve"},
     {"triangulation"},
-    {"flips", "dual", "table", "paths", "budgets"},
+    {"flips", "dual", "table", "paths", "budgets", "costs"},
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},

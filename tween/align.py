@@ -5,13 +5,13 @@ Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift``
 """
 
 import heapq
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tween.costs import distortion
 from tween.curve import Curve, as_curve
 from tween.decomposition import decompose, triangulate
 from tween.errors import IncompatibleError
@@ -234,47 +234,6 @@ def pivot_vertex(T: Triangulation, t: int) -> int:
     """
     slots = np.flatnonzero(T.twin[t] >= 0)
     return int(T.triangles[t, (slots[0] + 2) % 3]) if len(slots) else int(T.triangles[t].min())
-
-
-def distortion(
-    source: NDArray[np.float64], target: NDArray[np.float64]
-) -> Callable[[NDArray[np.int64]], NDArray[np.float64]]:
-    """Make the cost of mapping triangles of one shape to those of another, for `Decomposition.optimal`.
-
-    Parameters
-    ----------
-    source, target : ndarray of float64, shape (n, 2)
-
-    Returns
-    -------
-    callable
-        From triangles, shape (m, 3), to the symmetric Dirichlet energy of the affine maps between them,
-        shape (m,): the energy of the map integrated over the source plus that of its inverse over the target,
-        both shapes scaled to area 1.  Never below twice the sum of the two areas; exchanging source and
-        target changes nothing.
-    """
-    first, second = (p / np.sqrt(Curve(p).area) for p in (source, target))
-
-    def cost(triangles: NDArray[np.int64]) -> NDArray[np.float64]:
-        there, back = _edges(first[triangles]), _edges(second[triangles])
-        return _dirichlet(there, back) + _dirichlet(back, there)
-
-    return cost
-
-
-def _edges(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Edge opposite each corner, (m, 3, 2)."""
-    return np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
-
-
-def _dirichlet(edges: NDArray[np.float64], images: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Energy of the affine map that sends edges to images: half the sum of cot(angle) * |opposite image|**2."""
-    u, v = edges[:, 1], edges[:, 2]
-    twice_area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    dots = -(np.roll(edges, -1, axis=1) * np.roll(edges, 1, axis=1)).sum(axis=2)
-    with np.errstate(over="ignore"):
-        energy: NDArray[np.float64] = 0.5 * (dots * (images**2).sum(axis=2)).sum(axis=1) / twice_area
-    return energy
 
 
 def equal_counts(source: Any, target: Any) -> tuple[Triangulation, Triangulation, NDArray[np.int64], NDArray[np.int64]]:
