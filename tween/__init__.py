@@ -6,6 +6,7 @@ After Mukherjee and Gopi, *Tweening Boundary Curves of Non-simple Immersions of 
 """
 
 from tween.align import Alignment, align, pivot_vertex, spine
+from tween.certificate import Certificate, Failure, certify, verify
 from tween.curve import Crossings, Curve
 from tween.decomposition import Decomposition, decompose, triangulate
 from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError, TriangulationError, TweenError
@@ -19,11 +20,13 @@ from tween.triangulation import Triangulation, compatible_shift
 
 __all__ = [
     "Alignment",
+    "Certificate",
     "Crossings",
     "Curve",
     "CurveError",
     "Decomposition",
     "Event",
+    "Failure",
     "IncompatibleError",
     "Morph",
     "NotSelfOverlappingError",
@@ -33,6 +36,7 @@ __all__ = [
     "align",
     "area_matrix",
     "area_rank",
+    "certify",
     "compatible_shift",
     "decompose",
     "flip",
@@ -46,4 +50,5 @@ __all__ = [
     "remesh",
     "spine",
     "triangulate",
+    "verify",
 ]
