@@ -1,7 +1,5 @@
 """Angle budgets: with a guarantee every shape bounds an immersed disk, at little cost to the path."""
 
-import itertools
-
 import numpy as np
 import pytest
 
@@ -33,19 +31,6 @@ def is_broken(T: Triangulation) -> bool:
     return False
 
 
-def fan(rho: float = 2.0) -> tuple[Triangulation, Triangulation]:
-    """Two simple fans around vertex 0 between which the angles at 0 add up to more than 2 pi."""
-    shapes = []
-    for wide_first in (True, False):
-        angle, radius, points = 0.0, 1.0, [(0.0, 0.0), (1.0, 0.0)]
-        for wide in itertools.islice(itertools.cycle((wide_first, not wide_first)), 10):
-            angle += np.radians(60 if wide else 8)
-            radius *= rho if wide else 1 / rho
-            points.append((radius * np.cos(angle), radius * np.sin(angle)))
-        shapes.append(Triangulation(points, [(0, i, i + 1) for i in range(1, 11)]))
-    return shapes[0], shapes[1]
-
-
 @every_path
 def test_with_a_guarantee_every_shape_of_a_random_disk_bounds_a_disk(path: str) -> None:
     assert [broken(disk_leg(seed, path, True)) for seed in range(8)] == [0] * 8
@@ -75,7 +60,7 @@ def test_where_no_budget_is_given_the_guarantee_changes_nothing(path: str) -> No
 @every_path
 @pytest.mark.parametrize("k", [2, 3, 11, 41, 100, 1001])
 def test_the_fan_is_kept_at_every_number_of_frames(path: str, k: int) -> None:
-    source, target = fan()
+    source, target = gallery.fan()
     m = morph(source, target, path=path, guarantee=True)
     assert not any(is_broken(source.moved(shape)) for shape in m.frames(k))
     assert "2 pi" in m.proof
@@ -83,7 +68,7 @@ def test_the_fan_is_kept_at_every_number_of_frames(path: str, k: int) -> None:
 
 @pytest.mark.parametrize("path", ["linear", "slide"])
 def test_the_paths_of_the_paper_break_the_fan(path: str) -> None:
-    source, target = fan()
+    source, target = gallery.fan()
     source.validate()
     target.validate()
     m = morph(source, target, path=path)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tween.curve import Curve
 from tween.errors import CurveError
-from tween.generators import GRID, evenly, on_grid, random_disk, ribbon, xy, zigzag
+from tween.generators import GRID, evenly, fan, on_grid, random_disk, ribbon, xy, zigzag
 from tween.handwriting import PEN, letter, letters, spine_of
 
 __all__ = [
@@ -23,6 +23,7 @@ __all__ = [
     "curve",
     "describe",
     "describe_pair",
+    "fan",
     "letter",
     "letters",
     "names",

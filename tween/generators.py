@@ -113,6 +113,43 @@ def zigzag(path: ArrayLike, width: float) -> Curve:
     return Curve(np.concatenate([p[::2], p[1::2][::-1]]))
 
 
+def fan(rho: float = 2.0) -> tuple[Triangulation, Triangulation]:
+    """Make two simple fans between which triangles that stay positive do not keep a disk.
+
+    Parameters
+    ----------
+    rho : float
+        By how much the spokes grow across wide triangles, and shrink across narrow ones.
+
+    Returns
+    -------
+    source, target : Triangulation
+        Ten triangles (0, i, i+1) around a hub, vertex 0 at the origin.  In the source they are 60 and 8 degrees
+        wide in turn, 340 in all; across a wide one the spoke grows by the factor `rho`, across a narrow one it
+        shrinks by it.  In the target wide and narrow are swapped.
+
+    Notes
+    -----
+    Along the paper's paths a triangle goes through wider shapes on its way from narrow to wide, and the ten
+    angles at the hub add up to more than 2 pi: the boundary then has turning number 2 and bounds no immersed
+    disk, against what the paper says of all its intermediate shapes.  How many frames fail depends on the root.
+
+    Examples
+    --------
+    >>> source, target = fan()
+    >>> source.validate().triangles.tolist() == target.validate().triangles.tolist()
+    True
+    """
+    shapes = []
+    for wide_first in (True, False):
+        wide = np.resize([wide_first, not wide_first], 10)
+        angles = np.append(0.0, np.cumsum(np.radians(np.where(wide, 60, 8))))
+        radii = np.append(1.0, np.cumprod(np.where(wide, rho, 1 / rho)))
+        spokes = xy(radii * np.exp(1j * angles))
+        shapes.append(Triangulation(np.concatenate([[[0.0, 0.0]], spokes]), [(0, i, i + 1) for i in range(1, 11)]))
+    return shapes[0], shapes[1]
+
+
 def random_disk(n: int, rng: np.random.Generator) -> Triangulation:
     """Grow a random immersed disk by gluing triangles to its boundary.
 
