@@ -111,7 +111,7 @@ def measure(m: Morph) -> dict[str, Any]:
 
 
 def distortion(frames: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
-    """The largest ratio of singular values of the maps of triangles from the first frame that has them to the others."""
+    """The largest ratio of singular values of the maps of triangles from the first frame that has them."""
     worst, first = 1.0, 0
     for f in range(1, len(frames)):
         if not np.array_equal(triangles[f], triangles[first]):
