@@ -114,6 +114,7 @@ def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
     ----------
     Mukherjee and Gopi, Section 6.1.
     """
+    check_shifts(shifts)
     first, second, *origins = equal_counts(source, target)
     n = len(first)
     if shifts == "pivots":
@@ -127,6 +128,22 @@ def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
         )
     shift, shared = found
     return match(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, None, *origins)
+
+
+def check_shifts(shifts: Shifts) -> None:
+    """Raise where renumberings are asked for in words that mean nothing.
+
+    Parameters
+    ----------
+    shifts : {"pivots", "all"} or int
+
+    Raises
+    ------
+    ValueError
+        For anything else.
+    """
+    if shifts not in ("pivots", "all") and (isinstance(shifts, str) or int(shifts) != shifts):
+        raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
 
 
 def match(

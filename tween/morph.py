@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.align import Alignment, Shifts, common, equal_counts, least_distorted, match, pivot_shift
+from tween.align import Alignment, Shifts, check_shifts, common, equal_counts, least_distorted, match, pivot_shift
 from tween.compatible import Leg, root_triangle
 from tween.curve import Curve, as_curve
 from tween.decomposition import decompose
@@ -130,8 +130,7 @@ def _proof(path: Path, guarantee: bool, flips: bool) -> str:
 
 
 def _check_options(path: str, strategy: str, order: str, shifts: Shifts) -> None:
-    if shifts not in ("pivots", "all") and (isinstance(shifts, str) or int(shifts) != shifts):
-        raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
+    check_shifts(shifts)
     for name, value, allowed in (
         ("path", path, PATHS),
         ("strategy", strategy, ("auto", "paper", "common")),
@@ -153,7 +152,7 @@ def _check_disks(source: Any, target: Any) -> None:
 def _key(shape: Any) -> tuple[int, bytes, bytes]:
     points = as_curve(shape).points
     triangles = shape.canonical.tobytes() if isinstance(shape, Triangulation) else b""
-    return len(points), points.tobytes(), triangles
+    return len(points), points.astype("<f8").tobytes(), triangles
 
 
 def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> Alignment:

@@ -107,6 +107,8 @@ def crossings_by_shift(first: Triangulation, second: Triangulation, shifts: NDAr
     ndarray of int, shape (k,)
         O(n**2 + n k).
     """
+    if len(first) != len(second):
+        raise ValueError(f"triangulations have {len(first)} and {len(second)} vertices, expected equal numbers")
     counts = crossing_counts(second)
     i, j = ((first.diagonals[:, e, None] + shifts) % len(first) for e in (0, 1))
     return counts[i, j].sum(axis=0)
