@@ -21,7 +21,7 @@ TIMES = np.linspace(0, 1, 7)
 def figure_3() -> Figure:
     """Dual graphs and their simplifications: an arbitrary triangulation and the remeshed one."""
     d = decompose(gallery.curve("spiral_1"))
-    rows = {"arbitrary": d.sample(rng_for(SEED, "figure 3")), "remeshed": triangulate(gallery.curve("spiral_1"))}
+    rows = {"random": d.sample(rng_for(SEED, "figure 3")), "remeshed": triangulate(gallery.curve("spiral_1"))}
     figure, axes = plt.subplots(1, 4, figsize=(7.2, 2.1))
     for (label, T), pair in zip(rows.items(), axes.reshape(2, 2), strict=True):
         draw.draw_triangulation(T, pair[0], colors="0.85", alpha=0.6)
@@ -43,7 +43,7 @@ def figure_6() -> Figure:
     figure, axes = plt.subplots(2, 1, figsize=(7.2, 3.4))
     for ax, shape, label in zip(axes, (random, T), ("random", "remeshed"), strict=True):
         m = morph(shape, Triangulation(disk, shape.triangles))
-        draw.draw_filmstrip(m, TIMES, ax, labels=shape is T)
+        draw.draw_filmstrip(m, TIMES, ax)
         ax.set_title(f"{label}: Var {frame_variance(area_matrix(m)):.1e}", loc="left")
     return figure
 
@@ -54,9 +54,9 @@ def figure_9() -> Figure:
     matched = morph(a, b, strategy="paper")
     away = morph(a, b, strategy="paper", shifts=matched.alignment.shift + len(matched.source) // 4)
     figure, axes = plt.subplots(2, 1, figsize=(7.2, 3.0))
-    for ax, m, label in zip(axes, (away, matched), ("a quarter turn away", "pivots matched"), strict=True):
+    for ax, m, label in zip(axes, (away, matched), ("a quarter of the vertices away", "pivots matched"), strict=True):
         mark = matched.alignment.pivot if m is matched else None
-        draw.draw_filmstrip(m, TIMES, ax, labels=m is matched, one_scale=False, mark=mark)
+        draw.draw_filmstrip(m, TIMES, ax, one_scale=False, mark=mark)
         ax.set_title(f"{label}: {m.alignment.crossings} crossings, {len(m.events)} flips", loc="left")
     return figure
 
@@ -72,7 +72,7 @@ def figure_10() -> Figure:
         points = m(t)
         fresh = [e.into for e in m.events if before < e.time <= t]
         draw.draw_triangulation(Triangulation(points, m.triangles_at(t)), ax, colors="0.85", alpha=0.6)
-        ax.add_collection(LineCollection(list(points[np.array(fresh)]), colors=draw.TARGET, linewidths=0.9))
+        ax.add_collection(LineCollection(list(points[np.array(fresh)]), colors=draw.TARGET, linewidths=0.6))
         ax.set_title(f"t = {t:.4f}\n{len(fresh)} flips", fontsize=8)
         ax.set_adjustable("datalim")
         before = t
@@ -114,7 +114,7 @@ def table_1(path: str) -> Figure:
         _distributions(ax, table[table.path == path], measure)
         ax.set_title(title)
     axes[2].set(xscale="log", xticks=[1e-12, 1e-9, 1e-6, 1e-3])
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
     return figure
 
 
@@ -125,7 +125,8 @@ def _distributions(ax: Axes, table: pd.DataFrame, measure: str) -> None:
     ax.hlines(y, wide.uniform_q25, wide.uniform_q75, color=draw.RANDOM, linewidth=4, label="middle half")
     ax.scatter(wide["first"], y, s=18, marker="|", color=draw.PIVOT, label="first split", zorder=3)
     ax.scatter(wide["last"], y, s=12, marker="x", color=draw.PIVOT, linewidths=0.8, label="last split", zorder=3)
-    ax.scatter(wide.remeshed, y, s=16, color=draw.SOURCE, label="remeshed", zorder=4)
+    ax.scatter(wide.uniform_median, y, s=9, marker="s", color="0.3", linewidths=0, label="median", zorder=3)
+    ax.scatter(wide.remeshed, y, s=22, facecolors="none", edgecolors=draw.SOURCE, label="remeshed", zorder=4)
     ax.set_yticks(y, [name.replace("_", " ") for name in wide.index], fontsize=7)
     ax.set_ylim(-0.8, len(wide) - 0.2)
     ax.locator_params(axis="x", integer=True)

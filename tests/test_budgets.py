@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tween import Triangulation, area_matrix, area_rank, frame_variance, gallery, morph, remesh, triangulate
+from tween import Triangulation, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate
 from tween.compatible import Leg, root_triangle
 from tween.errors import TriangulationError
 from tween.paths import PATHS
@@ -63,7 +63,7 @@ def test_the_fan_is_kept_at_every_number_of_frames(path: str, k: int) -> None:
     source, target = gallery.fan()
     m = morph(source, target, path=path, guarantee=True)
     assert not any(is_broken(source.moved(shape)) for shape in m.frames(k))
-    assert "2 pi" in m.proof
+    assert certify(m).valid
 
 
 @pytest.mark.parametrize("path", ["linear", "slide"])

@@ -1,4 +1,4 @@
-"""Angle budgets: why, with a guarantee, every shape of a motion bounds an immersed disk.
+"""Angle budgets: why, with a guarantee, the shapes of a motion bound immersed disks.
 
 **Why angles decide.**  Glue counter-clockwise triangles along a tree: the result is a disk, mapped to the plane
 so that it is immersed everywhere but perhaps at its boundary vertices.  There the triangles around the vertex
@@ -16,8 +16,9 @@ time, not only at the frames.  What was moved is a convex combination with conti
 **Only where needed.**  Budgets are given to the vertices whose sums come too near to 2 pi without them: the motion
 is looked at at many times, vertices that overflow, or would within the largest change seen from one time to
 the next, get a budget, and so on until none does.  The set only grows, so this ends; and with
-budgets at all vertices it is the argument above.  At vertices without a budget the sum stays
-below 2 pi by more than it was seen to change between neighbouring times.
+budgets at all vertices it is the argument above, a proof for all times.  At vertices without a budget
+the sum stayed below 2 pi by more than it was seen to change between neighbouring times: that is measured, not
+proved, and `tween.certify` looks again.
 
 Legend: ``a b c`` corners of a triangle over its base ab; ``L`` limits of their angles.
 """

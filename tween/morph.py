@@ -25,6 +25,8 @@ from tween.triangulation import Triangulation, compatible_shift, match_rows
 Root = Literal["disk-center", "tree-center"] | int
 Strategy = Literal["auto", "paper", "common"]
 
+_PROOF = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
+
 
 class _Compatible:
     """One leg, no flips, as a `tween.motion.Motion`."""
@@ -61,8 +63,8 @@ def morph(
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
         choice), the centre of the dual tree, or a triangle of the source by number.
     guarantee : bool
-        Whether angle budgets keep every shape on the way the boundary of an immersed disk, see
-        `tween.budgets`.  Without it only the path "angle" does, where there are no flips.
+        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `tween.budgets`.
+        Without it only the path "angle" does, where there are no flips.
     strategy : {"auto", "paper", "common"}
         "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
         gradually (Section 6).  "common": retriangulate both curves with a triangulation that is valid in
@@ -116,17 +118,8 @@ def morph(
     shift = alignment.shift if swapped else 0
     if alignment.crossings == 0:
         leg = _straight(alignment, own, shift, path, root, guarantee)
-        return Morph(_Compatible(leg), own, swapped, shift, proof=_proof(path, guarantee, flips=False))
+        return Morph(_Compatible(leg), own, swapped, shift, proof=_PROOF if path == "angle" else "")
     return _gradual_morph(alignment, own, swapped, shift, path, root, order, guarantee)
-
-
-def _proof(path: Path, guarantee: bool, flips: bool) -> str:
-    """Why every shape bounds an immersed disk, where that needs no looking at shapes."""
-    if guarantee:
-        return "angle budgets keep the sum of the angles at every vertex below 2 pi"
-    if path == "angle" and not flips:
-        return "every angle changes linearly, so the sums at the vertices stay between those of the two ends"
-    return ""
 
 
 def _check_options(path: str, strategy: str, order: str, shifts: Shifts) -> None:
@@ -239,7 +232,7 @@ def _gradual_morph(
     by = 1 if flows[1].end <= flows[0].end else 0
     motion = Through(shapes[1 - by], flows[by], path, roots[1 - by], guarantee)
     u, v = (flow.end for flow in (reversed(flows) if swapped else flows))
-    return Morph(motion, own, swapped != (by == 0), shift, (u, v), _proof(path, guarantee, flips=True))
+    return Morph(motion, own, swapped != (by == 0), shift, (u, v))
 
 
 def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:
