@@ -6,6 +6,7 @@ Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift``
 
 import heapq
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -46,10 +47,18 @@ class Alignment:
     shift: int
     source_vertices: NDArray[np.int64]
     target_vertices: NDArray[np.int64]
-    source_spine: NDArray[np.int64]
-    target_spine: NDArray[np.int64]
     pivot: int | None
     crossings: int
+
+    @cached_property
+    def source_spine(self) -> NDArray[np.int64]:
+        """Triangles of the source along its spine."""
+        return spine(self.source)
+
+    @cached_property
+    def target_spine(self) -> NDArray[np.int64]:
+        """Triangles of the target along its spine, ties broken in the numbers that it had before."""
+        return spine(self.target.rolled(-self.shift))
 
     def exchanged(self) -> "Alignment":
         """Source and target exchanged, in the numbers that the target had before.
@@ -65,8 +74,6 @@ class Alignment:
             -k % n,
             np.roll(self.target_vertices, k),
             np.roll(self.source_vertices, k),
-            self.target_spine,
-            self.source_spine,
             None if self.pivot is None else (self.pivot + k) % n,
             self.crossings,
         )
@@ -176,10 +183,8 @@ def match(
         shift,
         first_origin,
         np.roll(second_origin, -shift),
-        spine(first),
-        spine(second),
         pivot,
-        count_crossings(first, moved),
+        0 if np.array_equal(first.canonical, moved.canonical) else count_crossings(first, moved),
     )
 
 
