@@ -41,7 +41,7 @@ def _two_sum(a, b):
 
 @njit(cache=True)
 def _split(a):
-    """A as two halves of at most 26 bits each."""
+    """The number a as two halves of at most 26 bits each."""
     c = _SPLITTER * a
     hi = c - (c - a)
     return hi, a - hi
@@ -49,7 +49,7 @@ def _split(a):
 
 @njit(cache=True)
 def _two_product(a, b):
-    """A * b as (hi, lo) without error."""
+    """The product a * b as (hi, lo) without error."""
     hi = a * b
     a1, a0 = _split(a)
     b1, b0 = _split(b)
