@@ -46,11 +46,13 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def save_figure(figure: Any, name: str) -> Path:
-    """Save as PNG without the metadata that would change its bytes."""
-    path = FIGURES / f"{name}.png"
-    with replacing(path) as temporary:
-        figure.savefig(temporary, metadata={"Software": None})
-    return path
+    """Save as PNG and as PDF without the metadata that would change their bytes; returns the path of the PNG."""
+    png, pdf = FIGURES / f"{name}.png", FIGURES / f"{name}.pdf"
+    with replacing(png) as temporary:
+        figure.savefig(temporary, format="png", metadata={"Software": None})
+    with replacing(pdf) as temporary:
+        figure.savefig(temporary, format="pdf", metadata={"Creator": None, "Producer": None, "CreationDate": None})
+    return png
 
 
 def rng_for(seed: int, name: str) -> np.random.Generator:
@@ -66,7 +68,7 @@ class Checkpoint:
     """
 
     def __init__(self, study: str, parameters: dict[str, Any]) -> None:
-        sources = sorted([*(ROOT / "tween").glob("*.py"), *(ROOT / "experiments").glob("*.py")])
+        sources = sorted([*(ROOT / "tween").glob("*.py"), *(ROOT / "experiments").rglob("*.py")])
         digest = hashlib.sha256(json.dumps(parameters, sort_keys=True).encode())
         for source in sources:
             digest.update(source.read_bytes())

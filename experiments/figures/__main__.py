@@ -1,0 +1,5 @@
+"""Draw every figure."""
+
+from experiments.figures.everything import save_all
+
+save_all()
