@@ -13,7 +13,8 @@ from tween import plot as draw
 @drawing(
     "figure_03_dual_graphs",
     "Figure 3",
-    """Dual trees of a spiral and their simplifications, for a triangulation drawn at random and for the remeshed one.""",
+    """Dual trees of a spiral and their simplifications, for a triangulation drawn at random and for the
+    remeshed one.""",
 )
 def figure_3() -> Figure:
     """Dual graphs and their simplifications: an arbitrary triangulation and the remeshed one."""

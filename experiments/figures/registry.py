@@ -63,9 +63,9 @@ def _points(ax: Any) -> dict[str, NDArray[np.float64]]:
             found["lines"].append(np.asarray(artist.get_xydata(), dtype=np.float64))
         elif isinstance(artist, Collection):
             found["collections"].append(np.asarray(artist.get_offsets(), dtype=np.float64))
-            found["collections"] += [path.vertices for path in artist.get_paths()]
+            found["collections"] += [np.asarray(path.vertices) for path in artist.get_paths()]
         elif isinstance(artist, Patch) and artist is not ax.patch:
-            found["patches"].append(artist.get_path().vertices)
+            found["patches"].append(np.asarray(artist.get_path().vertices))
     return {kind: np.concatenate([np.empty((0, 2)), *points]) for kind, points in found.items()}
 
 
