@@ -22,6 +22,7 @@ LAYERS = (
     {"curve"},
     {"triangulation"},
     {"flips", "dual", "table", "paths", "budgets", "costs"},
+    {"bounds"},
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},

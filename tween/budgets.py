@@ -13,12 +13,17 @@ shape breaks a budget is moved, in the space of its three angles, from its shape
 wanted one as far as its budgets allow.  So no corner exceeds its budget, and no sum reaches 2 pi: at every
 time, not only at the frames.  What was moved is a convex combination with continuous weights: no jump.
 
-**Only where needed.**  Budgets are given to the vertices whose sums come too near to 2 pi without them: the motion
-is looked at at many times, vertices that overflow, or would within the largest change seen from one time to
-the next, get a budget, and so on until none does.  The set only grows, so this ends; and with
-budgets at all vertices it is the argument above, a proof for all times.  At vertices without a budget
-the sum stayed below 2 pi by more than it was seen to change between neighbouring times: that is measured, not
-proved, and `tween.certify` looks again.
+**Only where needed.**  Budgets are given to the vertices that may reach 2 pi without them.  Time is cut into 128
+intervals; in each, every angle has a proved bound (`tween.bounds`), and where a triangle has a budgeted corner the
+larger one of this bound and of that of the path "angle", as its shape is between the two.  A vertex whose
+bounds add up to 2 pi in some interval gets a budget.  That changes the bounds of the triangles that it
+touches, so this goes on until no vertex is added: the set only grows, so it ends.  Vertices with a budget stay
+below 2 pi by the argument above, the others by their bounds: at every time, by proof.
+
+**The path "area"** is different: where a third vertex goes depends on the length of its base, and with it on the
+budgets of all its ancestors, and there is no bound between times.  There the sums are looked at at 129 times,
+and vertices that overflow, or would within their largest change from one time to the next, get a budget.  With budgets
+at all vertices that is the proof above; with fewer it is measured, and `tween.certify` looks again.
 
 Legend: ``a b c`` corners of a triangle over its base ab; ``L`` limits of their angles.
 """
@@ -31,8 +36,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-_TIMES = 129  # at which sums are looked at
+_TIMES = 129  # at which angles are looked at
 _SHARE = 0.999  # of what a vertex has left below 2 pi
+_ROUNDING = 1e-9  # of a sum of angles
 
 
 class Budgets(NamedTuple):
@@ -93,8 +99,7 @@ def budgets_at(
     limits = []
     for angles in (first, last):
         left = 2 * np.pi - np.bincount(corners.ravel(), angles.ravel(), len(vertices))
-        share = _SHARE * left / count
-        limits.append(np.where(vertices[corners], angles + share[corners], np.inf))
+        limits.append(np.where(vertices[corners], angles + (_SHARE * left / count)[corners], np.inf))
     low, high = limits
     return Budgets(first, last, low, high, _sides(first, last, low, high))
 
@@ -126,13 +131,50 @@ def _room(height, limit):
     return 0.5 * np.sign(square) * np.sqrt(np.abs(square))
 
 
-def needed_budgets(
+def proved_budgets(
+    corners: NDArray[np.int64],
+    first: NDArray[np.float64],
+    last: NDArray[np.float64],
+    bounds: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+) -> Budgets:
+    """Give budgets to the vertices that are not proved to stay below 2 pi without one.
+
+    Parameters
+    ----------
+    corners : ndarray of int, shape (m, 3)
+    first, last : ndarray of float64, shape (m, 3)
+        Angles at these corners at times 0 and 1.
+    bounds : callable
+        From times, shape (k,), to bounds of the angles of the motion without budgets between neighbouring times,
+        shape (m, 3, k-1).
+
+    Returns
+    -------
+    Budgets
+
+    Notes
+    -----
+    About as costly as 129 frames.
+    """
+    wanted = bounds(np.linspace(0.0, 1.0, _TIMES))
+    vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
+    while True:
+        over = (vertex_sums(corners, wanted, len(vertices)).max(axis=1) >= 2 * np.pi - _ROUNDING) & ~vertices
+        if not over.any():
+            return budgets_at(vertices, corners, first, last) if vertices.any() else no_budgets(len(corners))
+        vertices |= over
+        touched = over[corners].any(axis=1)
+        plain = first[touched, :, None] + np.linspace(0.0, 1.0, _TIMES) * (last - first)[touched, :, None]
+        wanted[touched] = np.maximum(wanted[touched], np.maximum(plain[..., :-1], plain[..., 1:]))
+
+
+def measured_budgets(
     corners: NDArray[np.int64],
     first: NDArray[np.float64],
     last: NDArray[np.float64],
     angles_at: Callable[[NDArray[np.float64], Budgets], NDArray[np.float64]],
 ) -> Budgets:
-    """Give budgets to the vertices that need them, and to no more.
+    """Give budgets to the vertices that come too near to 2 pi at the times looked at.
 
     Parameters
     ----------
@@ -150,16 +192,16 @@ def needed_budgets(
     -----
     A few rounds as a rule, each as costly as 129 frames.
     """
-    times = np.linspace(0.0, 1.0, _TIMES)
     vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
+    budgets, times = no_budgets(len(corners)), np.linspace(0.0, 1.0, _TIMES)
     while True:
-        budgets = budgets_at(vertices, corners, first, last) if vertices.any() else no_budgets(len(corners))
         sums = vertex_sums(corners, angles_at(times, budgets), len(vertices))
         reach = sums.max(axis=1) + np.abs(np.diff(sums, axis=1)).max(axis=1)
         over = (reach >= 2 * np.pi) & ~vertices
         if not over.any():
             return budgets
         vertices |= over
+        budgets = budgets_at(vertices, corners, first, last)
 
 
 @njit(cache=True)

@@ -14,9 +14,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.budgets import Budgets, keep_to_budget, needed_budgets, no_budgets
+from tween.bounds import largest_angles
+from tween.budgets import Budgets, keep_to_budget, measured_budgets, no_budgets, proved_budgets
 from tween.dual import RootedTree, disk_center, rooted, tree_center
-from tween.paths import Path, area_apex, base_angles, third_vertices
+from tween.paths import Path, area_apex, base_angles, corner_angles, third_vertices
 from tween.triangulation import Triangulation
 
 _THINNEST = 2.0**-60
@@ -57,11 +58,9 @@ class Leg:
         self._start, self._end = _complex(source.points)[self._corners], _complex(target)[self._corners]
         self._thirds = _third(self._start), _third(self._end)
         self._propagates = _propagates(source.twin, self._tree)
+        self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
         self._areas = _areas(self._start, self._end)
-        self.budgets = no_budgets(len(self._corners))
-        if guarantee:
-            angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
-            self.budgets = needed_budgets(self._corners, *angles, self._angles_at)
+        self.budgets = self._needed_budgets() if guarantee else no_budgets(len(self._corners))
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lay out the triangles of all times, the root first and each child on its base.
@@ -82,20 +81,29 @@ class Leg:
         shapes[t == 1] = self.target
         return shapes
 
+    def _needed_budgets(self) -> Budgets:
+        angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
+        if self._path == "area":
+            return measured_budgets(self._corners, *angles, self._angles_at)
+        return proved_budgets(self._corners, *angles, self._largest_angles)
+
+    def _largest_angles(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Bounds of the angles at a, b, c of every triangle between neighbouring times, (m, 3, k-1)."""
+        return largest_angles(self._path, *self._thirds, self._propagates, self._stretch, t)
+
     def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
         """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
         _, z = self._lay_out(t, budgets)
-        return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
+        return np.asarray(corner_angles(z))
 
     def _lay_out(
         self, t: NDArray[np.float64], budgets: Budgets
     ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         by_area = self._path == "area"
-        stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
         if by_area:
-            z = np.empty((len(stretch), len(t)), np.complex128)
+            z = np.empty((len(self._corners), len(t)), np.complex128)
         else:
-            z = third_vertices(self._path, *self._thirds, self._propagates, stretch, t)
+            z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
         e = _root_base(self._start[0], self._end[0], self._path == "metric", t)
         shapes = _hang(
             self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets

@@ -25,7 +25,8 @@ from tween.triangulation import Triangulation, compatible_shift, match_rows
 Root = Literal["disk-center", "tree-center"] | int
 Strategy = Literal["auto", "paper", "common"]
 
-_PROOF = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
+_BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
+_BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex add up to less than 2 pi"
 
 
 class _Compatible:
@@ -118,7 +119,7 @@ def morph(
     shift = alignment.shift if swapped else 0
     if alignment.crossings == 0:
         leg = _straight(alignment, own, shift, path, root, guarantee)
-        return Morph(_Compatible(leg), own, swapped, shift, proof=_PROOF if path == "angle" else "")
+        return Morph(_Compatible(leg), own, swapped, shift, proof=_proof(path, guarantee))
     return _gradual_morph(alignment, own, swapped, shift, path, root, order, guarantee)
 
 
@@ -232,7 +233,14 @@ def _gradual_morph(
     by = 1 if flows[1].end <= flows[0].end else 0
     motion = Through(shapes[1 - by], flows[by], path, roots[1 - by], guarantee)
     u, v = (flow.end for flow in (reversed(flows) if swapped else flows))
-    return Morph(motion, own, swapped != (by == 0), shift, (u, v))
+    return Morph(motion, own, swapped != (by == 0), shift, (u, v), _proof(path, guarantee))
+
+
+def _proof(path: Path, guarantee: bool) -> str:
+    """Why every shape bounds an immersed disk, see `tween.budgets`; a flip changes no sum of angles."""
+    if path == "angle":
+        return _BY_ANGLES
+    return _BY_BUDGETS if guarantee and path != "area" else ""
 
 
 def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:

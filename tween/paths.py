@@ -118,6 +118,18 @@ def base_angles(z: NDArray[np.complex128]) -> NDArray[np.float64]:
     return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
 
 
+@njit(cache=True)
+def corner_angles(z):
+    """Angles, (m, 3, k), at 0, at 1 and at the third vertices z, (m, k), in the upper half plane."""
+    angles = np.empty((z.shape[0], 3, z.shape[1]))
+    for i in range(z.shape[0]):
+        for f in range(z.shape[1]):
+            x, y = z[i, f].real, z[i, f].imag
+            a, b = math.atan2(y, x), math.atan2(y, 1.0 - x)
+            angles[i, 0, f], angles[i, 1, f], angles[i, 2, f] = a, b, math.pi - a - b
+    return angles
+
+
 def _by_angles(
     source: NDArray[np.complex128], target: NDArray[np.complex128], times: NDArray[np.float64]
 ) -> NDArray[np.complex128]:
@@ -181,6 +193,19 @@ def slides(
     length = np.abs(step) ** 2
     foot = np.stack([((end - source) * step.conj()).real for end in (0.0, 1.0)], axis=1)
     return propagates & (foot > 0) & (foot < length[:, None])
+
+
+@njit(cache=True)
+def path_lengths(source, target, propagates):
+    """Lengths, (m,), of the paths of "slide" over the base from 0 to 1; along each the speed is constant."""
+    lengths = np.empty(source.size)
+    p, q, ends = np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES)
+    for m in range(source.size):
+        pieces = _outline(source[m], target[m], propagates[m, 0], propagates[m, 1], p, q, ends)
+        lengths[m] = 0.0
+        for i in range(pieces):
+            lengths[m] += _piece_length(p[i], q[i], ends[i])
+    return lengths
 
 
 @njit(cache=True)
