@@ -19,7 +19,22 @@ from scipy.spatial import Delaunay
 
 from experiments import table1
 from experiments.store import Checkpoint, compute
-from tween import Curve, align, area_matrix, decompose, gallery, morph, orient2d, remesh, triangulate
+from tween import (
+    Curve,
+    Decomposition,
+    align,
+    area_matrix,
+    certify,
+    decompose,
+    gallery,
+    morph,
+    orient2d,
+    remesh,
+    triangulate,
+    verify,
+)
+from tween.costs import edge_length
+from tween.paths import PATHS, Path
 from tween.predicates import turn
 from tween.sequence import flip_sequence
 
@@ -134,6 +149,49 @@ def pairs() -> list[Timing]:
     ]
 
 
+def guarantees() -> list[Timing]:
+    T = remesh(gallery.random_disk(1000, np.random.default_rng(SEED)))
+    D = T.on_disk()
+
+    def frames(path: Path, guarantee: bool) -> NDArray[np.float64]:
+        return morph(T, D, path=path, guarantee=guarantee).frames(100)
+
+    plain = morph(T, D)
+    return [
+        *(
+            Timing(
+                f"{path} with the guarantee, n = 1000, 100 frames",
+                partial(frames, path, True),
+                "without",
+                partial(frames, path, False),
+            )
+            for path in PATHS
+        ),
+        Timing(
+            "verify 100 frames, n = 1000",
+            lambda: verify(plain.frames(100), T.triangles),
+            "computing them",
+            lambda: plain.frames(100),
+        ),
+        Timing("certify a guaranteed morph, n = 1000", partial(certify, morph(T, D, path="linear", guarantee=True))),
+    ]
+
+
+def optima() -> list[Timing]:
+    disk = gallery.random_disk(300, np.random.default_rng(SEED)).curve
+    spiral = decompose(spiral_strip(300))
+    five = gallery.curve("five_disks").insert_vertices(200)
+    return [
+        Timing("least edge length, random disk, n = 300", lambda: decompose(disk).optimal(edge_length(disk.points))),
+        Timing(f"least edge length, spiral strip, n = {len(spiral.arbitrary())}", partial(_shortest, spiral)),
+        Timing("all immersions of five_disks, n = 200", lambda: decompose(five).immersions()),
+    ]
+
+
+def _shortest(d: Decomposition) -> object:
+    return d.optimal(edge_length(d.arbitrary().points))
+
+
 def whole_table() -> list[Timing]:
     names, samples = list(table1.shapes()), table1.PARAMETERS["samples"]
 
@@ -173,7 +231,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m experiments.bench", description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
     arguments = parser.parse_args()
-    for group in (predicates, tables, morphs, pairs, *(() if arguments.quick else (whole_table,))):
+    for group in (predicates, tables, morphs, pairs, guarantees, optima, *(() if arguments.quick else (whole_table,))):
         for timing in group():
             report(timing)
 
