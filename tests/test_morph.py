@@ -311,3 +311,29 @@ def test_what_cannot_be_morphed_is_refused_with_the_reason(source, target, optio
     assert isinstance(caught.value, ValueError)
     if error is not ValueError:
         assert isinstance(caught.value, TweenError)
+
+
+def _distances(shape: np.ndarray) -> np.ndarray:
+    z = shape @ np.array([1, 1j])
+    return np.abs(z[:, None] - z[None])
+
+
+@pytest.mark.parametrize("path", ["metric", "angle"])
+def test_whatever_the_root_the_shapes_along_metric_are_congruent_and_along_angle_similar(path) -> None:
+    T = triangulate(curve("horseshoe"))
+    D = T.on_disk()
+    for t in (0.25, 0.5, 0.9):
+        first = _distances(morph(T, D, path=path, root=0)(t))
+        for root in (5, 17, "disk-center", "tree-center"):
+            other = _distances(morph(T, D, path=path, root=root)(t))
+            scale = 1.0 if path == "metric" else first.max() / other.max()
+            np.testing.assert_allclose(scale * other, first, atol=1e-9 * first.max())
+
+
+@pytest.mark.parametrize("path", ["linear", "slide", "area"])
+def test_along_the_other_paths_the_root_matters(path) -> None:
+    T = triangulate(curve("horseshoe"))
+    D = T.on_disk()
+    first, other = (_distances(morph(T, D, path=path, root=root)(0.5)) for root in (0, 17))
+    scale = first.max() / other.max()
+    assert np.abs(scale * other - first).max() > 1e-3 * first.max()
