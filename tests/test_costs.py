@@ -64,3 +64,10 @@ def test_conformal_distortion_is_the_ratio_of_singular_values() -> None:
 
 def test_the_smallest_angle_of_an_equilateral_triangle_is_sixty_degrees() -> None:
     assert -costs.smallest_angle(circle(3))(np.array([[0, 1, 2]]))[0] == pytest.approx(np.pi / 3)
+
+
+def test_a_triangle_that_is_flat_in_floating_point_costs_infinitely_much_and_warns_nobody() -> None:
+    tiny = 2.0**-30
+    flat = np.array([[0.0, 0.0], [1.0, 1.0 - tiny], [1.0 + tiny, 1.0]])  # its area is 2**-61
+    cost = costs.distortion(flat, circle(3))
+    assert cost(np.array([[0, 1, 2]]))[0] == np.inf
