@@ -68,6 +68,7 @@ def test_the_smallest_angle_of_an_equilateral_triangle_is_sixty_degrees() -> Non
 
 def test_a_triangle_that_is_flat_in_floating_point_costs_infinitely_much_and_warns_nobody() -> None:
     tiny = 2.0**-30
-    flat = np.array([[0.0, 0.0], [1.0, 1.0 - tiny], [1.0 + tiny, 1.0]])  # its area is 2**-61
-    cost = costs.distortion(flat, circle(3))
+    # The first three have the area 2**-61, and all the area 4, so that scaling to area 1 rounds nothing.
+    shape = np.array([[0.0, 0.0], [1.0, 1.0 - tiny], [1.0 + tiny, 1.0], [-8.0, 0.0]])
+    cost = costs.distortion(shape, circle(4))
     assert cost(np.array([[0, 1, 2]]))[0] == np.inf
