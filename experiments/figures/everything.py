@@ -1,6 +1,17 @@
 """All figures, registered by importing the modules that draw them."""
 
-from experiments.figures import compatible, gallery, immersions, incompatible, table_1
+from experiments.figures import compatible, gallery, guarantee, immersions, incompatible, roots, table_1
 from experiments.figures.registry import DRAWINGS, drawn, save_all
 
-__all__ = ["DRAWINGS", "compatible", "drawn", "gallery", "immersions", "incompatible", "save_all", "table_1"]
+__all__ = [
+    "DRAWINGS",
+    "compatible",
+    "drawn",
+    "gallery",
+    "guarantee",
+    "immersions",
+    "incompatible",
+    "roots",
+    "save_all",
+    "table_1",
+]
