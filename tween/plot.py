@@ -150,7 +150,8 @@ def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, 
     ax : Axes, optional
     color : colour
     simplified : bool
-        Mark only leaves (rings) and internal nodes (dots), and let the paths between them be lines.
+        Mark only leaves (rings) and internal nodes (dots), and smooth the paths between them: a path node is passed
+        from the middle of one of its diagonals to the middle of the other.
 
     Returns
     -------
@@ -167,9 +168,8 @@ def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, 
     """
     ax = _axes(ax)
     nodes = T.points[T.triangles].mean(axis=1)
-    ax.add_collection(
-        LineCollection(list(nodes[T.dual]), colors=color, linewidths=1.6 if simplified else 0.9, zorder=3)
-    )
+    lines, width = (_smoothed(T, nodes), 1.6) if simplified else (list(nodes[T.dual]), 0.9)
+    ax.add_collection(LineCollection(lines, colors=color, linewidths=width, capstyle="round", zorder=3))
     degree = np.bincount(T.dual.ravel(), minlength=len(nodes))
     if simplified:
         ax.scatter(*_xy(nodes[degree == 1]), s=16, facecolors="white", edgecolors=color, linewidths=1.2, zorder=4)
@@ -177,6 +177,19 @@ def draw_dual_tree(T: Triangulation, ax: Axes | None = None, color: str = TREE, 
     else:
         ax.scatter(*_xy(nodes), s=4, color=color, linewidths=0, zorder=4)
     return _frame(ax)
+
+
+def _smoothed(T: Triangulation, nodes: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Segments of the dual tree through the middles of the diagonals; centres of mass at leaves and internal nodes."""
+    doors: list[list[NDArray[np.float64]]] = [[] for _ in nodes]
+    for (s, t), middle in zip(T.dual.tolist(), T.points[T.diagonals].mean(axis=1), strict=True):
+        doors[s].append(middle)
+        doors[t].append(middle)
+    return [
+        np.array(segment)
+        for node, near in zip(nodes, doors, strict=True)
+        for segment in ([near] if len(near) == 2 else [[node, middle] for middle in near])
+    ]
 
 
 def draw_spine(T: Triangulation, spine: NDArray[np.int64], ax: Axes | None = None, pivot: int | None = None) -> Axes:
