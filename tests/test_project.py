@@ -22,7 +22,7 @@ LAYERS = (
     {"curve"},
     {"triangulation"},
     {"flips", "dual", "table", "paths", "budgets", "costs"},
-    {"bounds"},
+    {"bounds", "reduction"},
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},

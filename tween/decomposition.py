@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from tween.curve import Curve, as_curve
 from tween.errors import CurveError, NotSelfOverlappingError, TweenError
 from tween.flips import remesh
+from tween.reduction import Reduction, reduce_curve, restore
 from tween.table import (
     best_splits,
     count_in_floats,
@@ -37,7 +38,10 @@ from tween.table import (
 )
 from tween.triangulation import Triangulation
 
+_MOST_PAIRS = 2**28
 _MOST_SPLITS = 2**29
+_SMALL = 200  # vertices; up to here the table is as quick as anything
+_REDUCED = 0.9  # a reduction that leaves a larger share of the vertices does not pay
 
 
 class Decomposition:
@@ -52,11 +56,25 @@ class Decomposition:
         self._n = len(curves[0])
         self._points = np.stack([c.points for c in curves])
         self._reason = _turning_reason(self._curves)
-        if not self._reason:
-            self._first, self._last, self._ends = find_pairs(self._points)
-            if find_pair(self._first, self._last, self._ends, 0, self._n - 1) < 0:
-                every = f" is valid in all {len(curves)} curves" if len(curves) > 1 else " exists"
-                self._reason = "no decomposition" + every
+        if not self._reason and not (self._reduced or self._full).decomposes:
+            every = f" is valid in all {len(curves)} curves" if len(curves) > 1 else " exists"
+            self._reason = "no decomposition" + every
+
+    @cached_property
+    def _reduction(self) -> Reduction | None:
+        """The curve without the vertices that do not matter, where that pays."""
+        if len(self._curves) > 1 or self._n <= _SMALL:
+            return None
+        reduction = reduce_curve(self._curves[0])
+        return reduction if len(reduction.kept) <= _REDUCED * self._n else None
+
+    @cached_property
+    def _reduced(self) -> "_Table | None":
+        return None if self._reduction is None else _Table(self._points[:, self._reduction.kept])
+
+    @cached_property
+    def _full(self) -> "_Table":
+        return _Table(self._points)
 
     @property
     def curves(self) -> tuple[Curve, ...]:
@@ -82,7 +100,7 @@ class Decomposition:
         """
         if not self:
             return 0
-        graph = self._graph
+        graph = self._full.graph
         left, right, first = graph.left.tolist(), graph.right.tolist(), graph.first.tolist()
         counts = [0] * graph.pairs
         for pair in range(graph.pairs):
@@ -91,13 +109,15 @@ class Decomposition:
             counts[pair] = 1 if low == high else sum(terms)
         return counts[graph.whole]
 
-    def arbitrary(self, split: Literal["first", "last"] = "first") -> Triangulation:
+    def arbitrary(self, split: Literal["first", "last"] | None = None) -> Triangulation:
         """Return the first triangulation that the table yields.
 
         Parameters
         ----------
-        split : {"first", "last"}
-            Which split to take at every pair: the one of smallest or of largest apex.
+        split : {"first", "last"}, optional
+            Which split to take at every pair: the one of smallest or of largest apex.  Without it, whatever is
+            quickest: the first, but on a curve of many vertices and few crossings the constrained Delaunay
+            triangulation, from a reduced curve.
 
         Returns
         -------
@@ -119,9 +139,11 @@ class Decomposition:
         [[0, 1, 3], [1, 2, 3]]
         """
         self._require()
-        if split not in ("first", "last"):
+        if split not in ("first", "last", None):
             raise ValueError(f"split is {split!r}, expected 'first' or 'last'")
-        return self._triangulation(walk(self._points, self._first, self._last, self._ends, self._n, split == "last"))
+        if split is None and self._reduced is not None:
+            return self._restored(self._reduced.walk())
+        return self._triangulation(self._full.walk(split == "last"))
 
     @overload
     def sample(self, rng: np.random.Generator) -> Triangulation: ...
@@ -161,8 +183,8 @@ class Decomposition:
         """
         self._require()
         uniforms = rng.random((1 if size is None else size, self._n - 2))
-        mantissas, exponents = self._weights
-        graph = self._graph
+        mantissas, exponents = self._full.weights
+        graph = self._full.graph
         drawn = draw(
             graph.whole, graph.first, graph.apex, graph.left, graph.right, graph.ends, mantissas, exponents, uniforms
         )
@@ -218,7 +240,7 @@ class Decomposition:
         self._require()
         if combine not in ("sum", "max"):
             raise ValueError(f"combine is {combine!r}, expected 'sum' or 'max'")
-        graph = self._graph
+        graph = self._full.graph
         of_pair = graph.ends[np.repeat(np.arange(graph.pairs), np.diff(graph.first))]
         triangles = np.stack([of_pair[:, 0], graph.apex, of_pair[:, 1]], axis=1).astype(np.int64)
         costs = np.asarray(cost(triangles), dtype=np.float64)
@@ -263,17 +285,9 @@ class Decomposition:
         self._require()
         if len(self._curves) > 1:
             raise TweenError(f"immersions belong to one curve, but {len(self._curves)} were decomposed together")
-        points, graph = self._points[0], self._graph
-        counts = delaunay_splits(points, graph.ends, graph.first, graph.apex, graph.left, graph.right)
-        total = int(counts[graph.first[graph.whole] : graph.first[graph.whole + 1]].sum())
-        return [
-            self._triangulation(
-                delaunay_triangles(
-                    points, graph.ends, graph.first, graph.apex, graph.left, graph.right, counts, graph.whole, number
-                )
-            )
-            for number in range(total)
-        ]
+        if self._reduced is not None:
+            return [self._restored(triangles) for triangles in self._reduced.delaunay()]
+        return [self._triangulation(triangles) for triangles in self._full.delaunay()]
 
     def _require(self) -> None:
         if not self:
@@ -283,8 +297,43 @@ class Decomposition:
         triangles.setflags(write=False)
         return Triangulation(self._curves[0].points, triangles)
 
+    def _restored(self, triangles: NDArray[np.int64]) -> Triangulation:
+        """Put the vertices back that the reduction left out."""
+        assert self._reduction is not None
+        return self._triangulation(restore(self._points[0], self._reduction, triangles))
+
+
+class _Table:
+    """The pairs that hold for a stack of curves, (c, n, 2), and what is read from them."""
+
+    def __init__(self, points: NDArray[np.float64]) -> None:
+        self._points, self._n = points, points.shape[1]
+        self._first, self._last, self._ends = find_pairs(points, _MOST_PAIRS)
+        if len(self._ends) > _MOST_PAIRS:
+            raise TweenError(
+                f"the table of {self._n} vertices would take more than {_MOST_PAIRS * 4 / 2**30:.0f} GiB; recognising, "
+                "triangulating and morphing curves with few crossings needs no table, but count, sample and optimal do"
+            )
+
+    @property
+    def decomposes(self) -> bool:
+        return bool(find_pair(self._first, self._last, self._ends, 0, self._n - 1) >= 0)
+
+    def walk(self, take_last: bool = False) -> NDArray[np.int64]:
+        """The triangulation of the first, or the last, splits."""
+        triangles: NDArray[np.int64] = walk(self._points, self._first, self._last, self._ends, self._n, take_last)
+        return triangles
+
+    def delaunay(self) -> list[NDArray[np.int64]]:
+        """All triangulations whose diagonals are locally Delaunay."""
+        points, graph = self._points[0], self.graph
+        counts = delaunay_splits(points, graph.ends, graph.first, graph.apex, graph.left, graph.right)
+        total = int(counts[graph.first[graph.whole] : graph.first[graph.whole + 1]].sum())
+        parts = graph.ends, graph.first, graph.apex, graph.left, graph.right, counts, graph.whole
+        return [delaunay_triangles(points, *parts, number) for number in range(total)]
+
     @cached_property
-    def _graph(self) -> "_Graph":
+    def graph(self) -> "_Graph":
         start = np.repeat(np.arange(self._n), self._last - self._first)
         start = start[np.argsort(np.repeat(self._first, self._last - self._first), kind="stable")]
         ends = np.stack([start, self._ends], axis=1).astype(np.int32)
@@ -295,8 +344,8 @@ class Decomposition:
         return _Graph(ends, first, apex, left, right, find_pair(self._first, self._last, self._ends, 0, self._n - 1))
 
     @cached_property
-    def _weights(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        graph = self._graph
+    def weights(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        graph = self.graph
         return count_in_floats(graph.first, graph.left, graph.right)
 
 
@@ -340,7 +389,8 @@ def decompose(*curves: Curve | ArrayLike) -> Decomposition:
     The table needs exact orientation tests only, once the turning number is known to be 1: n-2
     counter-clockwise triangles have angles (n-2) pi in all, as many as the interior angles of a curve
     of turning number 1, so no vertex can hide a further 2 pi.  Kept as sparse lists it costs, in time,
-    the number of triples (i, k, j) with both pairs holding: O(n**3) at worst, and near-linear on strips.
+    the number of triples (i, k, j) with both pairs holding: O(n**3) at worst.  A single curve of more
+    than 200 vertices is reduced first, see `tween.reduction`: with few crossings that is near-linear.
 
     Examples
     --------

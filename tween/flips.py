@@ -81,7 +81,7 @@ def locally_delaunay(T: Triangulation) -> NDArray[np.bool_]:
     ----------
     Mukherjee and Gopi, Figure 5.
     """
-    return ~_rows(_not_delaunay, T)
+    return ~_rows(not_delaunay, T)
 
 
 def flippable(T: Triangulation) -> NDArray[np.bool_]:
@@ -177,7 +177,8 @@ def quadrilateral(triangles, twin, h):
 
 
 @njit(cache=True)
-def _not_delaunay(points, triangles, twin, h):
+def not_delaunay(points, triangles, twin, h):
+    """Whether half-edge h lies on a diagonal that is not locally Delaunay, exactly, for compiled kernels."""
     a, b, c, d = quadrilateral(triangles, twin, h)
     return in_circumcircle(points, a, b, c, d) > 0
 
@@ -260,7 +261,7 @@ def _flip_to_delaunay(points, triangles, twin):
         size -= 1
         edge = stack[size]
         marked[edge] = True
-        if not _not_delaunay(points, triangles, twin, half[edge]):
+        if not not_delaunay(points, triangles, twin, half[edge]):
             continue
         _flip_numbered(triangles, twin, number, half, edge)
         h = half[edge]

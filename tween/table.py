@@ -22,8 +22,11 @@ def _left_turn(points, i, k, j):
 
 
 @njit(cache=True)
-def find_pairs(points):
-    """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first."""
+def find_pairs(points, most):
+    """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first.
+
+    Gives up as soon as there are more than ``most``.
+    """
     n = points.shape[1]
     first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
     ends = np.empty(8 * n, np.int32)
@@ -48,6 +51,8 @@ def find_pairs(points):
                     holds_for[j] = i
                     farthest = max(farthest, j)
         last[i] = size
+        if size > most:
+            break
     return first, last, ends[:size].copy()
 
 
