@@ -4,30 +4,36 @@ X is the morph of the remeshed triangulations (path "slide", pivots matched, gra
 compatible).  Y are arbitrary triangulations under the same correspondence: where the two curves have
 common triangulations, uniformly drawn ones, which need no flips; and in any case a uniformly drawn one for each
 curve, flipped into each other on the way.  Writes results/table1_columns.csv.
+
+Where the factors between X and Y come from: the same triangulations led over the disk, where each may be changed for
+any other, so that X goes as far as Y (results/table1_ways.csv); and, for all pairs of our curves that have one, a
+common triangulation beside the remeshed ones, which have to be flipped (results/table1_flips.csv).
 """
 
 import argparse
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from experiments.table1 import PAPER, PARAMETERS, QUANTILES, percentile
-from tween import Morph, Triangulation, area_matrix, decompose, frame_variance, gallery, morph
-from tween.metrics import rank_of
+from experiments.table1 import PAPER, PARAMETERS, QUANTILES, measures, percentile, shape, shapes
+from tween import IncompatibleError, Morph, Triangulation, align, area_matrix, decompose, gallery, morph
+from tween.triangulation import match_rows
 
 ROWS = (1, 3, 4, 7)
 TOLERANCES = PARAMETERS["tolerances"]
-MEASURES = ["flips", *(f"AR_{t:.0e}".replace("e-0", "e-") for t in TOLERANCES), "Var"]
+RANKS = [f"AR_{t:.0e}".replace("e-0", "e-") for t in TOLERANCES]
+MEASURES = ["flips", *RANKS, "Var"]
 BATCH = 125
+WAYS = {"samples": BATCH, "frames": 101}  # over the disk: the disk is the 51st frame of both halves
 
 
 def measure(m: Morph) -> list[float]:
     """Flips, AR at every tolerance, Var."""
-    A = area_matrix(m, PARAMETERS["frames"])
-    singular = np.linalg.svd(A, compute_uv=False)
-    return [len(m.events), *(rank_of(singular, rtol) for rtol in TOLERANCES), frame_variance(A)]
+    return [len(m.events), *measures(area_matrix(m, PARAMETERS["frames"]))]
 
 
 def remeshed(name: str) -> Morph:
@@ -52,8 +58,9 @@ def draw(part: str) -> dict[str, list[list[float]]]:
 
 def rows_of(row: int, name: str, drawn: dict[str, list[list[float]]]) -> list[dict[str, Any]]:
     """The rows of one column of the paper's table: remeshed, then the quantiles of the arbitrary ones."""
-    about = {"row": row, "pair": name, "n": len(remeshed(name).source)}
-    X = measure(remeshed(name))
+    m = remeshed(name)
+    about = {"row": row, "pair": name, "n": len(m.source)}
+    X = measure(m)
     rows: list[dict[str, Any]] = [about | {"triangulation": "remeshed"} | dict(zip(MEASURES, X, strict=True))]
     for kind, values in drawn.items():
         columns = np.array(values).T
@@ -71,9 +78,71 @@ def paper_row(row: int) -> dict[str, Any]:
     return {key: values[place] for key, values in PAPER.items() if key != "curve"}
 
 
-def main() -> None:
-    argparse.ArgumentParser(prog="python -m experiments.figure11", description=__doc__.split("\n")[0]).parse_args()
-    names = {row: gallery.pairs()[row - 1] for row in ROWS}
+def over_the_disk(S: Triangulation, T: Triangulation) -> NDArray[np.float64]:
+    """Area matrix of the morph from S to the disk, and from the disk to T; at the disk one is flipped to the other."""
+    disk, half = S.on_disk(), WAYS["frames"] // 2 + 1
+    there = area_matrix(morph(S, disk, shifts=0), half)
+    back = area_matrix(morph(T, T.moved(disk.points), shifts=0), half) * (T.areas.sum() / S.areas.sum())
+    flipped = morph(disk, T.moved(disk.points), strategy="paper", shifts=0).triangles_at(1.0)
+    return np.hstack([there, back[match_rows(T.triangles, flipped), -2::-1]])
+
+
+def ways(name: str) -> dict[str, list[list[float]]]:
+    """Remeshed and arbitrary triangulations of one pair, led over the disk: kind -> measures."""
+    a = remeshed(name).alignment
+    rng = rng_for(PARAMETERS["seed"], f"{name} over the disk")
+    own = [decompose(T.curve).sample(rng, WAYS["samples"]) for T in (a.source, a.target)]
+    led = {"remeshed": [(a.source, a.target)], "own": list(zip(*own, strict=True))}
+    both = decompose(a.source.curve, a.target.curve)
+    if both:
+        led["common"] = [(S, Triangulation(a.target.points, S.triangles)) for S in both.sample(rng, WAYS["samples"])]
+    return {kind: [measures(over_the_disk(S, T)) for S, T in pairs] for kind, pairs in led.items()}
+
+
+def table_of_ways(columns: pd.DataFrame, over: dict[tuple[int, str], dict[str, list[list[float]]]]) -> pd.DataFrame:
+    """Medians by pair, way and kind of triangulation: straight or flipped, as in the columns, or over the disk."""
+    rows = []
+    for label, kind in (("remeshed", "remeshed"), ("own_median", "own"), ("common_median", "common")):
+        for record in columns[columns.triangulation == label].to_dict("records"):
+            rows.append(record | {"way": "flipped" if record["flips"] else "straight", "triangulation": kind})
+    for (row, name), kinds in over.items():
+        for kind, values in kinds.items():
+            medians = np.quantile(values, 0.5, axis=0, method="inverted_cdf")
+            about = {"row": row, "pair": name, "way": "over the disk", "triangulation": kind}
+            rows.append(about | dict(zip(MEASURES[1:], medians, strict=True)))
+    keys = ["row", "pair", "way", "triangulation"]
+    return rounded(pd.DataFrame(rows)[[*keys, *MEASURES[1:]]].sort_values(keys, ignore_index=True))
+
+
+def straight_and_flipped(pair: str) -> dict[str, Any] | None:
+    """One pair under the pivots' correspondence: a common triangulation, and the remeshed ones; None if it has none."""
+    names = pair.split(" - ")
+    source, target = map(shape, names)
+    try:
+        straight = morph(source, target, strategy="common", shifts=align(source, target).shift)
+    except IncompatibleError:
+        return None
+    flipped = morph(source, target, strategy="paper")
+    row: dict[str, Any] = {"source": names[0], "target": names[1], "flips": len(flipped.events)}
+    for label, m in (("straight", straight), ("flipped", flipped)):
+        row |= {f"{label}_{key}": value for key, value in zip(MEASURES[1:], measure(m)[1:], strict=True)}
+    return row
+
+
+def rounded(table: pd.DataFrame) -> pd.DataFrame:
+    """Ranks and flips as whole numbers, variances with four digits, so that they agree across processors."""
+    for column in map(str, table):
+        if column.startswith("p"):  # pair, percentiles, the paper's
+            continue
+        if column == "flips" or "AR_" in column:
+            table[column] = table[column].astype(int)
+        elif column.endswith("Var"):
+            table[column] = table[column].map("{:.3e}".format)
+    return table
+
+
+def columns(names: dict[int, str]) -> pd.DataFrame:
+    """The four columns: remeshed, and the quantiles of the arbitrary ones."""
     batches = range(-(-PARAMETERS["samples"] // BATCH))
     parts = [f"{name} {batch}" for name in names.values() for batch in batches]
     results = dict(zip(parts, compute("figure11", PARAMETERS | {"rows": ROWS}, parts, draw), strict=True))
@@ -84,11 +153,23 @@ def main() -> None:
             for kind, values in results[f"{name} {batch}"].items():
                 drawn.setdefault(kind, []).extend(values)
         rows += [r | {f"paper_{k}": v for k, v in paper_row(row).items()} for r in rows_of(row, name, drawn)]
-    table = pd.DataFrame(rows)
-    table[MEASURES[:-1]] = table[MEASURES[:-1]].astype(int)
-    table["Var"] = table["Var"].map("{:.3e}".format)
-    write_csv(RESULTS / "table1_columns.csv", table)
-    print(f"figure11: {len(ROWS)} columns of Table 1, {PARAMETERS['samples']} draws -> results/table1_columns.csv")
+    return pd.DataFrame(rows)
+
+
+def main() -> None:
+    argparse.ArgumentParser(prog="python -m experiments.figure11", description=__doc__.split("\n")[0]).parse_args()
+    names = {row: gallery.pairs()[row - 1] for row in ROWS}
+    table = columns(names)
+    write_csv(RESULTS / "table1_columns.csv", rounded(table.copy()))
+    over = compute("figure11_ways", PARAMETERS | WAYS, list(names.values()), ways)
+    write_csv(RESULTS / "table1_ways.csv", table_of_ways(table, dict(zip(names.items(), over, strict=True))))
+    pairs = [f"{a} - {b}" for a, b in combinations(shapes(), 2)]
+    both = [row for row in compute("figure11_flips", PARAMETERS, pairs, straight_and_flipped) if row]
+    write_csv(RESULTS / "table1_flips.csv", rounded(pd.DataFrame(both)))
+    print(
+        f"figure11: {len(ROWS)} columns of Table 1, {PARAMETERS['samples']} draws; {len(both)} pairs with and without "
+        "flips -> results/table1_columns.csv, table1_ways.csv, table1_flips.csv"
+    )
 
 
 if __name__ == "__main__":

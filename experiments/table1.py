@@ -9,6 +9,7 @@ uniform ones) and results/table1_paper.csv (the paper's own numbers).
 
 import argparse
 from collections import Counter
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, remesh
+from tween.compatible import Leg, root_triangle
 from tween.metrics import rank_of
 from tween.paths import Path
 
@@ -53,12 +55,41 @@ def shape(name: str) -> Any:
     return gallery.letter(name.removeprefix("letter ")) if name.startswith("letter ") else gallery.curve(name)
 
 
-def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:
-    """AR at every tolerance, then Var, of the morph to the disk."""
-    m = morph(T, Triangulation(disk, T.triangles), path=path, root=PARAMETERS["root"])
-    A = area_matrix(m, PARAMETERS["frames"])
+class ToDisk:
+    """The way of one curve's triangulations to one disk, vertex i to vertex i.
+
+    To the last bit what `tween.area_matrix` makes of `tween.morph`.  But these look for the correspondence, and check
+    the curve, anew for each of 68000 morphs; here both are known, and one root serves all paths.
+    """
+
+    def __init__(self, points: NDArray[np.float64], disk: NDArray[np.float64], frames: int) -> None:
+        times = np.linspace(0.0, 1.0, frames)
+        # A morph is computed from the shape whose bytes come first, so that it is symmetric.
+        self._backwards = points.tobytes() > disk.tobytes()
+        self._disk, self._times = disk, 1 - times if self._backwards else times
+
+    def area_matrix(self, T: Triangulation, path: Path, root: int) -> NDArray[np.float64]:
+        """Areas of the triangles in all frames, as shares of the source's area, (n-2, frames)."""
+        first, last = (T.moved(self._disk), T.points) if self._backwards else (T, self._disk)
+        x, y = np.ascontiguousarray(Leg(first, last, path, root).at(self._times).transpose(2, 1, 0))
+        a, b, c = T.triangles.T
+        return 0.5 * ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])) / T.areas.sum()
+
+    def measure(self, T: Triangulation, paths: Sequence[Path]) -> list[list[float]]:
+        """AR at every tolerance, then Var, a row a path."""
+        root = root_triangle(PARAMETERS["root"], T, T.moved(self._disk))
+        return [measures(self.area_matrix(T, path, root)) for path in paths]
+
+
+def measures(A: NDArray[np.float64]) -> list[float]:
+    """AR at every tolerance, then Var, of an area matrix."""
     singular = np.linalg.svd(A, compute_uv=False)
     return [*(rank_of(singular, rtol) for rtol in PARAMETERS["tolerances"]), frame_variance(A)]
+
+
+def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:
+    """AR at every tolerance, then Var, of the morph to the disk."""
+    return measures(area_matrix(morph(T, T.moved(disk), path=path, root=PARAMETERS["root"]), PARAMETERS["frames"]))
 
 
 def percentile(value: float, distribution: NDArray[np.float64]) -> float:
@@ -74,9 +105,10 @@ def study(name: str, samples: int) -> dict[str, Any]:
     single = {"remeshed": remeshed, "first": decomposition.arbitrary(), "last": decomposition.arbitrary("last")}
     uniform = decomposition.sample(rng_for(PARAMETERS["seed"], name), samples)
     about = {"curve": name, "kind": shapes()[name], "n": len(remeshed), "log10_count": _log10(decomposition.count)}
+    way = ToDisk(remeshed.points, disk, PARAMETERS["frames"])
+    drawn_by_path = np.array([way.measure(T, PARAMETERS["paths"]) for T in uniform]).swapaxes(0, 1)
     rows, histograms = [], {}
-    for path in PARAMETERS["paths"]:
-        drawn = np.array([measure(T, disk, path) for T in uniform])
+    for path, drawn in zip(PARAMETERS["paths"], drawn_by_path, strict=True):
         about_path = about | {"path": path}
         for label, T in single.items():
             values = measure(T, disk, path)

@@ -9,7 +9,14 @@ from tween.align import Alignment, align, pivot_vertex, spine
 from tween.certificate import Certificate, Failure, certify, verify
 from tween.curve import Crossings, Curve
 from tween.decomposition import Decomposition, decompose, triangulate
-from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError, TriangulationError, TweenError
+from tween.errors import (
+    CurveError,
+    FileError,
+    IncompatibleError,
+    NotSelfOverlappingError,
+    TriangulationError,
+    TweenError,
+)
 from tween.flips import flip, flippable, locally_delaunay, remesh
 from tween.gradual import Event
 from tween.metrics import area_matrix, area_rank, frame_variance
@@ -27,6 +34,7 @@ __all__ = [
     "Decomposition",
     "Event",
     "Failure",
+    "FileError",
     "IncompatibleError",
     "Morph",
     "NotSelfOverlappingError",

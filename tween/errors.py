@@ -19,3 +19,7 @@ class NotSelfOverlappingError(TweenError, ValueError):
 
 class IncompatibleError(TweenError, ValueError):
     """Two curves or triangulations cannot be matched as asked; the message says what would work."""
+
+
+class FileError(TweenError, ValueError):
+    """A file cannot be read or written as asked; the message names the file and what was expected."""
