@@ -63,8 +63,8 @@ def subjects(part: str) -> Iterator[tuple[str, Any, Any]]:
     elif kind == "random pair":
         rng = rng_for(PARAMETERS["seed"], part)
         for i in range(PARAMETERS["batch_pairs"]):
-            first, second = (remesh(gallery.random_disk(PARAMETERS["n_pairs"], rng)) for _ in range(2))
-            yield f"{rest}.{i}", first, second
+            disks = [remesh(gallery.random_disk(PARAMETERS["n_pairs"], rng)) for _ in range(2)]
+            yield f"{rest}.{i}", *disks
     else:
         rng = rng_for(PARAMETERS["seed"], part)
         for i in range(PARAMETERS["batch"]):

@@ -43,12 +43,15 @@ def run(module: str) -> float:
 
 
 def main() -> None:
-    times = []
+    times: list[dict[str, str | float]] = []
+    spent = 0.0
     for number, (module, what) in enumerate(STEPS.items(), start=1):
         print(f"reproduce: {number} of {len(STEPS)}, {what}", flush=True)
-        times.append({"step": what, "seconds": round(run(module), 1)})
+        seconds = run(module)
+        spent += seconds
+        times.append({"step": what, "seconds": round(seconds, 1)})
         write_json(TIMES, times)
-    print(f"reproduce: done in {sum(step['seconds'] for step in times) / 60:.1f} minutes")
+    print(f"reproduce: done in {spent / 60:.1f} minutes")
     print(f"reproduce: read {(ROOT / 'results' / 'report.html').relative_to(ROOT)}; the story is in notebooks/")
 
 

@@ -48,7 +48,8 @@ def drawing(name: str, of: str, caption: str) -> Callable[[Callable[[], Figure]]
 
 def drawn(figure: Figure) -> list[dict[str, Any]]:
     """Sum up the artists of each axes: how many points they have, and mean and spread of their coordinates."""
-    return [
+    headings = [{"title": heading} for part in (figure, *figure.subfigs) if (heading := part.get_suptitle())]
+    return headings + [
         {"title": " | ".join(filter(None, (ax.get_title(loc=where) for where in ("left", "center", "right"))))}
         | {kind: _summary(points) for kind, points in _points(ax).items() if len(points)}
         for ax in figure.axes
