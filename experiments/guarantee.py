@@ -64,7 +64,7 @@ def subjects(part: str) -> Iterator[tuple[str, Any, Any]]:
         rng = rng_for(PARAMETERS["seed"], part)
         for i in range(PARAMETERS["batch_pairs"]):
             disks = [remesh(gallery.random_disk(PARAMETERS["n_pairs"], rng)) for _ in range(2)]
-            yield f"{rest}.{i}", *disks
+            yield f"{rest}.{i}", disks[0], disks[1]
     else:
         rng = rng_for(PARAMETERS["seed"], part)
         for i in range(PARAMETERS["batch"]):
