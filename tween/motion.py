@@ -1,5 +1,6 @@
 """What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
 
+from collections.abc import Iterator
 from typing import Protocol
 
 import numpy as np
@@ -8,6 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from tween.align import Alignment
 from tween.gradual import Event
 from tween.triangulation import match_rows
+
+_AT_ONCE = 2**21  # vertices times frames that are laid out at once
 
 
 class Motion(Protocol):
@@ -122,21 +125,56 @@ class Morph:
         shapes[t == 1] = self.target.points
         return shapes
 
-    def frames(self, k: int) -> NDArray[np.float64]:
+    def frames(self, k: int, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Return k shapes, evenly spaced in time, both ends included.
 
         Parameters
         ----------
         k : int
             At least 2.
+        out : ndarray of float64, shape (k, n, 2), optional
+            Where to write to, such as a memory map for what does not fit into memory.
 
         Returns
         -------
         ndarray of float64, shape (k, n, 2)
+
+        Notes
+        -----
+        O(n k), by blocks of frames, so that beside the result little memory is needed.
         """
+        shapes = np.empty((self._count(k), len(self.source), 2)) if out is None else out
+        first = 0
+        for block in self._blocks(k):
+            shapes[first : first + len(block)] = block
+            first += len(block)
+        return shapes
+
+    def each_frame(self, k: int) -> Iterator[NDArray[np.float64]]:
+        """Yield the shapes of `frames` one after the other.
+
+        Parameters
+        ----------
+        k : int
+            At least 2.
+
+        Yields
+        ------
+        ndarray of float64, shape (n, 2)
+        """
+        for block in self._blocks(k):
+            yield from block
+
+    def _count(self, k: int) -> int:
         if k < 2:
             raise ValueError(f"{k} frames were asked for, expected at least 2: the source and the target")
-        return self.at(np.linspace(0.0, 1.0, k))
+        return k
+
+    def _blocks(self, k: int) -> Iterator[NDArray[np.float64]]:
+        times = np.linspace(0.0, 1.0, self._count(k))
+        block = max(1, _AT_ONCE // len(self.source))
+        for first in range(0, k, block):
+            yield self.at(times[first : first + block])
 
     def triangles_at(self, t: float) -> NDArray[np.int64]:
         """Return the triangles in force at a time.
