@@ -124,8 +124,7 @@ def singular_values(A: NDArray[np.float64]) -> NDArray[np.float64]:
         for first in range(0, len(A), rows):
             top = np.asarray(np.linalg.qr(np.concatenate([top, A[first : first + rows]]), mode="r"), np.float64)
         A = top
-    values: NDArray[np.float64] = np.linalg.svd(A, compute_uv=False)
-    return values
+    return np.asarray(np.linalg.svd(A, compute_uv=False), np.float64)
 
 
 def rank_of(singular_values: NDArray[np.floating], rtol: float) -> int:
