@@ -98,6 +98,7 @@ coverage: $(STAMP) ## Report the lines that the quick tests miss, with the kerne
 bench: $(STAMP) ## Time tween beside its peers in one process
 	@echo "bench: timing"
 	@$(BIN)/python -m experiments.bench
+	@$(BIN)/python -m experiments.bench_scale
 
 lock: check-python ## Choose the package versions anew and write requirements.lock
 	@echo "lock: getting uv"

@@ -108,7 +108,8 @@ class Leg:
         shapes = _hang(
             self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
         )
-        return shapes + _centre(self._start[0], self._end[0], t) - shapes[self._corners[0]].mean(axis=0), z
+        shapes += _centre(self._start[0], self._end[0], t) - shapes[self._corners[0]].mean(axis=0)
+        return shapes, z
 
 
 def root_triangle(root: str | int, *shapes: Triangulation) -> int:

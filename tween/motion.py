@@ -120,7 +120,9 @@ class Morph:
         t = np.asarray(times, dtype=np.float64)
         if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
             raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
-        shapes = np.roll(self._motion.at(1 - t if self._backwards else t), self._shift, axis=1)
+        shapes = self._motion.at(1 - t if self._backwards else t)
+        if self._shift:
+            shapes = np.roll(shapes, self._shift, axis=1)
         shapes[t == 0] = self.source.points  # whatever rounding the motion, or a baseline, leaves there
         shapes[t == 1] = self.target.points
         return shapes
