@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numba import njit
 
-from tween.predicates import in_circumcircle, turn
+from tween.predicates import in_circumcircle, orient2d_sign, turn
 
 
 @njit(cache=True)
@@ -28,6 +28,7 @@ def find_pairs(points, most):
     Gives up as soon as there are more than ``most``.
     """
     n = points.shape[1]
+    single, x, y = points.shape[0] == 1, points[0, :, 0].copy(), points[0, :, 1].copy()
     first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
     ends = np.empty(8 * n, np.int32)
     size = 0
@@ -47,7 +48,9 @@ def find_pairs(points, most):
             size += 1
             for place in range(first[k], last[k]):
                 j = ends[place]
-                if holds_for[j] != i and _left_turn(points, i, k, j):
+                if holds_for[j] == i:
+                    continue
+                if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else _left_turn(points, i, k, j):
                     holds_for[j] = i
                     farthest = max(farthest, j)
         last[i] = size
