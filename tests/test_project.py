@@ -1,19 +1,16 @@
-"""The project keeps its own rules: imports, notebooks, traces of a machine, documentation, commands."""
+"""The project keeps its own rules: imports, traces of a machine, documentation, commands."""
 
 import ast
-import json
 import os
 import re
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted(path for path in (ROOT / "tween").glob("**/*.py") if path.name != "__init__.py")
-NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 
 # Each module imports only from layers above its own line here.
 LAYERS = (
@@ -114,63 +111,6 @@ def test_an_import_within_a_layer_needs_an_allowance() -> None:
     source = "from tween.dual import DualTree"
     assert import_faults("flips", source) == ["flips imports dual, which is not below it"]
     assert import_faults("flips", source, frozenset({("flips", "dual")})) == []
-
-
-# Notebooks
-
-
-def execution_faults(path: Path) -> list[str]:
-    """Name each code cell that was not run in its turn, failed, or lost its picture; nbval lets all of them pass."""
-    cells = [cell for cell in json.loads(path.read_text())["cells"] if cell["cell_type"] == "code"]
-    faults = [] if cells else ["no code cell"]
-    for number, cell in enumerate(cells, start=1):
-        count, outputs = cell["execution_count"], cell["outputs"]
-        if count != number:
-            faults.append(f"code cell {number} has execution count {count}")
-        if any(output["output_type"] == "error" for output in outputs):
-            faults.append(f"code cell {number} failed")
-        if "plt.show()" in "".join(cell["source"]) and not any("image/png" in o.get("data", {}) for o in outputs):
-            faults.append(f"code cell {number} shows a figure but holds no picture")
-    return faults
-
-
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)
-def test_every_notebook_was_run_from_top_to_bottom(path: Path) -> None:
-    assert execution_faults(path) == []
-
-
-def sound_cells() -> list[dict[str, Any]]:
-    """Return the cells of a notebook that is as it should be."""
-    picture = {"output_type": "display_data", "data": {"image/png": ""}}
-    return [
-        {"cell_type": "markdown", "source": ["# Title"]},
-        {"cell_type": "code", "source": ["x = 1"], "execution_count": 1, "outputs": []},
-        {"cell_type": "code", "source": ["draw(x)\n", "plt.show()"], "execution_count": 2, "outputs": [picture]},
-    ]
-
-
-@pytest.mark.parametrize(
-    ("change", "fault"),
-    [
-        ({}, []),
-        ({"execution_count": None}, ["code cell 2 has execution count None"]),
-        ({"execution_count": 1}, ["code cell 2 has execution count 1"]),
-        ({"outputs": []}, ["code cell 2 shows a figure but holds no picture"]),
-        ({"outputs": [{"output_type": "error"}], "source": ["1 / 0"]}, ["code cell 2 failed"]),
-    ],
-)
-def test_a_doctored_notebook_is_seen(tmp_path: Path, change: dict[str, Any], fault: list[str]) -> None:
-    cells = sound_cells()
-    cells[-1] |= change
-    path = tmp_path / "doctored.ipynb"
-    path.write_text(json.dumps({"cells": cells}))
-    assert execution_faults(path) == fault
-
-
-def test_a_notebook_without_code_is_seen(tmp_path: Path) -> None:
-    path = tmp_path / "empty.ipynb"
-    path.write_text(json.dumps({"cells": []}))
-    assert execution_faults(path) == ["no code cell"]
 
 
 # Traces of a machine

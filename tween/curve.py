@@ -5,6 +5,7 @@ Edge i runs from vertex i to vertex i+1 (mod n).
 """
 
 import heapq
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -332,7 +333,8 @@ def _halve_longest_edges(
     heap = []
     for i in range(n):
         a, b = points[i], points[(i + 1) % n]
-        heap.append((-float(np.hypot(*(b - a))), float(i), tuple(a), tuple(b), 1.0))
+        # math.hypot is Python's own; the last bit of numpy's is the platform's, and would decide between equal edges.
+        heap.append((-math.hypot(*(b - a)), float(i), tuple(a), tuple(b), 1.0))
     heapq.heapify(heap)
     inserted = []
     for _ in range(count - n):
