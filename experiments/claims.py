@@ -99,7 +99,8 @@ def every_frame_bounds_a_disk(x: Numbers) -> Finding:
     broken = verify(m.frames(61), m.source.triangles).frames_failed
     return broken > 0 and safe.valid == safe.morphs, (
         f"path slide: {broken} of 61 frames of the fan bound no disk, and some frame of "
-        f"{plain.morphs - plain.valid} of {plain.morphs} other morphs; with angle budgets of {(safe.morphs - safe.valid) or 'none'} of {safe.morphs}"
+        f"{plain.morphs - plain.valid} of {plain.morphs} other morphs; with angle budgets, of "
+        f"{(safe.morphs - safe.valid) or 'none'}"
     )
 
 
