@@ -8,7 +8,6 @@ Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; `
 
 import cmath
 import math
-from typing import Any
 
 import numpy as np
 from numba import njit
@@ -59,7 +58,8 @@ class Leg:
         self._thirds = _third(self._start), _third(self._end)
         self._propagates = _propagates(source.twin, self._tree)
         self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
-        self._areas = _areas(self._start, self._end)
+        self._areas = _areas(self._start, self._end) if path == "area" else np.empty((0, 6))
+        self._centres = self._start[0].mean(), self._end[0].mean()
         self.budgets = self._needed_budgets() if guarantee else no_budgets(len(self._corners))
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -76,9 +76,9 @@ class Leg:
             At times 0 and 1 exactly the source and the target.
         """
         laid, _ = self._lay_out(t, self.budgets)
-        shapes = np.ascontiguousarray(laid.T).view(np.float64).reshape(len(t), len(self.source), 2)
-        shapes[t == 0] = self.source.points
-        shapes[t == 1] = self.target
+        shapes: NDArray[np.float64] = _placed(
+            laid, self._corners[0], *self._centres, t, self.source.points, self.target
+        )
         return shapes
 
     def _needed_budgets(self) -> Budgets:
@@ -108,7 +108,6 @@ class Leg:
         shapes = _hang(
             self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
         )
-        shapes += _centre(self._start[0], self._end[0], t) - shapes[self._corners[0]].mean(axis=0)
         return shapes, z
 
 
@@ -151,13 +150,13 @@ def _complex(points: NDArray[np.float64]) -> NDArray[np.complex128]:
 def _corners_from_base(triangles: NDArray[np.int64], tree: RootedTree) -> NDArray[np.int64]:
     """Corners a, b, c of each triangle in tree order, ab being its base; shape (m, 3)."""
     slots = (tree.base[tree.order, None] + np.arange(3)) % 3
-    return np.take_along_axis(triangles[tree.order], slots, axis=1)
+    return triangles[tree.order[:, None], slots]
 
 
 def _propagates(twin: NDArray[np.int64], tree: RootedTree) -> NDArray[np.bool_]:
     """Whether edge ca, and edge bc, of each triangle in tree order has a child; shape (m, 2)."""
     slots = (tree.base[tree.order, None] + np.array([2, 1])) % 3
-    return np.take_along_axis(twin[tree.order], slots, axis=1) >= 0
+    return twin[tree.order[:, None], slots] >= 0
 
 
 def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
@@ -179,8 +178,23 @@ def _areas(start: NDArray[np.complex128], end: NDArray[np.complex128]) -> NDArra
     return np.stack(columns, axis=1)
 
 
-def _centre(source: NDArray[np.complex128], target: NDArray[np.complex128], t: NDArray[np.float64]) -> NDArray[Any]:
-    return (1 - t) * source.mean() + t * target.mean()
+@njit(cache=True)
+def _placed(laid, root, first_centre, last_centre, t, source, target):
+    """Shapes, (k, n, 2), from those laid out, (n, k), so moved that the centre of the root is where it should be."""
+    n, k = laid.shape
+    shapes = np.empty((k, n, 2))
+    for f in range(k):
+        if t[f] == 0.0:
+            shapes[f] = source
+        elif t[f] == 1.0:
+            shapes[f] = target
+        else:
+            root_centre = (laid[root[0], f] + laid[root[1], f] + laid[root[2], f]) * (1.0 / 3.0)
+            step = (1.0 - t[f]) * first_centre + t[f] * last_centre - root_centre
+            for i in range(n):
+                place = laid[i, f] + step
+                shapes[f, i, 0], shapes[f, i, 1] = place.real, place.imag
+    return shapes
 
 
 @njit(cache=True)
@@ -226,13 +240,19 @@ def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, la
         if np.isfinite(low[i]).any():
             for f in range(k):
                 z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i], sides[i], by_area)
-        shapes[corners[i, 2]] = shapes[corners[i, 0]] + z[i] * bases[i]
+        a, c = corners[i, 0], corners[i, 2]
+        for f in range(k):  # array expressions would make an array each
+            shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
         across_ab, across_bc = twin[node, base[node] % 3], twin[node, (base[node] + 1) % 3]
         across_ca = twin[node, (base[node] + 2) % 3]
         if across_ca >= 0:
-            bases[place[across_ca // 3]] = z[i] * bases[i]
+            child = place[across_ca // 3]
+            for f in range(k):
+                bases[child, f] = z[i, f] * bases[i, f]
         if across_bc >= 0:
-            bases[place[across_bc // 3]] = (1.0 - z[i]) * bases[i]
+            child = place[across_bc // 3]
+            for f in range(k):
+                bases[child, f] = (1.0 - z[i, f]) * bases[i, f]
         if i == 0 and across_ab >= 0:
             bases[place[across_ab // 3]] = -bases[0]
     return shapes

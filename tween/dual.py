@@ -142,10 +142,10 @@ def disk_center(*shapes: Triangulation) -> int:
     ----------
     Mukherjee and Gopi, Section 7, "Discussion".
     """
-    gaps = np.mean([arc_gaps(shape.points) for shape in shapes], axis=0)
+    gaps = sum(arc_gaps(shape.points) for shape in shapes) / len(shapes)
     angles = 2 * np.pi * (np.cumsum(gaps) - gaps)
-    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1)[shapes[0].triangles]
-    distance = _distance_to_triangles(corners)
+    triangles = shapes[0].triangles
+    distance = _distance_to_triangles(np.cos(angles)[triangles], np.sin(angles)[triangles])
     return smallest_triangle(shapes[0], np.flatnonzero(distance <= distance.min() + _TIE))
 
 
@@ -185,11 +185,10 @@ def _hang(twin, base_of_root):
     return order, base, depth
 
 
-def _distance_to_triangles(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Distance from the origin to each triangle of an (m, 3, 2) array; 0 inside."""
-    a, b = corners, np.roll(corners, -1, axis=1)
-    edge = b - a
-    along = np.clip(-(a * edge).sum(axis=2) / (edge**2).sum(axis=2), 0.0, 1.0)
-    to_edges = np.hypot(*np.moveaxis(a + along[..., None] * edge, 2, 0)).min(axis=1)
-    inside = (edge[..., 0] * -a[..., 1] - edge[..., 1] * -a[..., 0] >= 0).all(axis=1)
+def _distance_to_triangles(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Distance from the origin to each triangle, its corners' coordinates being rows of (m, 3) arrays; 0 inside."""
+    u, v = x[:, [1, 2, 0]] - x, y[:, [1, 2, 0]] - y
+    along = np.minimum(np.maximum(-(x * u + y * v) / (u * u + v * v), 0.0), 1.0)
+    to_edges = np.hypot(x + along * u, y + along * v).min(axis=1)
+    inside = (v * x - u * y >= 0).all(axis=1)
     return np.where(inside, 0.0, to_edges)

@@ -29,6 +29,7 @@ Order = Literal["partial", "sequential"]
 
 _SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
 _CHUNK = 16  # steps looked at together
+_SIXTEENTHS = np.arange(1, 17) / 16
 _REFINEMENTS = 5  # each divides the step by 16: times are found to 2e-9
 _SAMPLES = 33  # shapes by which the length of a piece is measured
 
@@ -136,6 +137,10 @@ class Flow:
         guarantee: bool = False,
     ) -> None:
         self._flips, self._path, self._root, self._guarantee = flips, path, root, guarantee
+        self._rows = flips.rows.tolist()
+        self._changes = [
+            tuple(map(tuple, change)) for change in zip(flips.out.tolist(), flips.into.tolist(), strict=True)
+        ]
         self.start, self._disk = T, T.on_disk().points
         self._stages: list[int] = []
         self._waiting = _Waiting(flips, sequential=order == "sequential")
@@ -170,11 +175,10 @@ class Flow:
         candidates = self._waiting.ready()
         while candidates:
             flip = heapq.heappop(candidates)
-            h = shared_edge(twin, *self._flips.rows[flip])
+            h = shared_edge(twin, *self._rows[flip])
             if is_convex(T.points, triangles, twin, h):
                 flip_in_place(triangles, twin, h)
-                out, into = self._flips.out[flip].tolist(), self._flips.into[flip].tolist()
-                self.events.append(Event(self.end, tuple(out), tuple(into)))
+                self.events.append(Event(self.end, *self._changes[flip]))
                 self._stages.append(len(self.pieces))
                 for freed in self._waiting.done(flip):
                     heapq.heappush(candidates, freed)
@@ -183,31 +187,31 @@ class Flow:
     def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
         """The first share of the leg at which a waiting flip is possible, and the shape there."""
         T = leg.source
-        edges = [shared_edge(T.twin, *self._flips.rows[flip]) for flip in self._waiting.ready()]
-        quads = np.array([quadrilateral(T.triangles, T.twin, h) for h in edges])
+        quads = _quadrilaterals(T.triangles, T.twin, self._flips.rows[self._waiting.ready()])
         step = min(1.0, _SCAN / (1 - self.end))
-        low, high = 0.0, 1.0
-        while low < 1:
+        low, first = 0.0, -1
+        while first < 0 and low < 1:
             shares = np.minimum(1.0, low + step * np.arange(1, _CHUNK + 1))
-            first = first_convex(leg.at(shares), quads)
-            if first >= 0:
-                low, high = (shares[first - 1] if first else low), shares[first]
-                break
-            low = shares[-1]
+            shapes = leg.at(shares)
+            first = first_convex(shapes, quads)
+            if first < 0:
+                low = shares[-1]
         for _ in range(_REFINEMENTS):
-            shares = np.append(low + (high - low) * np.arange(1, 16) / 16, high)
-            first = first_convex(leg.at(shares), quads)
             low, high = (shares[first - 1] if first else low), shares[first]
-        return float(high), leg.at(np.array([high]))[0]
+            shares = low + (high - low) * _SIXTEENTHS
+            shares[-1] = high
+            shapes = leg.at(shares)
+            first = first_convex(shapes, quads)
+        return float(shares[first]), shapes[first]
 
 
 class _Waiting:
     """The flips still to do; a flip is ready when no earlier one waits for either of its two triangles."""
 
     def __init__(self, flips: FlipSequence, sequential: bool) -> None:
-        self._rows = np.zeros_like(flips.rows) if sequential else flips.rows
+        self._rows: list[list[int]] = (np.zeros_like(flips.rows) if sequential else flips.rows).tolist()
         self._queues: dict[int, deque[int]] = {}
-        for flip, rows in enumerate(self._rows.tolist()):
+        for flip, rows in enumerate(self._rows):
             for row in set(rows):
                 self._queues.setdefault(row, deque()).append(flip)
         self._ready = {flip for flip in {queue[0] for queue in self._queues.values()} if self._is_ready(flip)}
@@ -221,7 +225,7 @@ class _Waiting:
 
     def done(self, flip: int) -> list[int]:
         """Strike a flip off, and return those that it made ready."""
-        rows = set(self._rows[flip].tolist())
+        rows = set(self._rows[flip])
         for row in rows:
             self._queues[row].popleft()
         self._ready.remove(flip)
@@ -230,7 +234,7 @@ class _Waiting:
         return freed
 
     def _is_ready(self, flip: int) -> bool:
-        return all(self._queues[row][0] == flip for row in self._rows[flip].tolist())
+        return all(self._queues[row][0] == flip for row in self._rows[flip])
 
 
 class Through:
@@ -321,6 +325,15 @@ def first_convex(shapes, quads):
             if turn(shapes[f], d, b, c) > 0 and turn(shapes[f], c, a, d) > 0:
                 return f
     return -1
+
+
+@njit(cache=True)
+def _quadrilaterals(triangles, twin, rows):
+    """Corners a, b, c, d around the edges that pairs of triangles, (q, 2), share; shape (q, 4)."""
+    quads = np.empty((len(rows), 4), np.int64)
+    for q in range(len(rows)):
+        quads[q] = quadrilateral(triangles, twin, shared_edge(twin, rows[q, 0], rows[q, 1]))
+    return quads
 
 
 @njit(cache=True)
