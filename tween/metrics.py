@@ -60,9 +60,9 @@ def _areas(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
     areas = np.empty((len(m.source.triangles), len(times)))
     for stage in np.unique(stages):
         now = stages == stage
-        a, b, c = np.moveaxis(shapes[now][:, m.triangles_at(times[now][0])], 2, 0)
-        u, v = b - a, c - a
-        areas[:, now] = 0.5 * (u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]).T
+        x, y = np.ascontiguousarray(shapes[now].transpose(2, 1, 0))
+        a, b, c = m.triangles_at(times[now][0]).T
+        areas[:, now] = 0.5 * ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]))
     return areas
 
 

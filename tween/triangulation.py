@@ -256,7 +256,7 @@ def arc_gaps(points: NDArray[np.float64]) -> NDArray[np.float64]:
     ndarray of float64, shape (n,)
         Positive, of sum 1; the floor keeps neighbours on a circle apart.
     """
-    edges = np.roll(points, -1, axis=0) - points
+    edges = np.concatenate([points[1:], points[:1]]) - points
     lengths = np.hypot(edges[:, 0], edges[:, 1])
     lengths = np.maximum(lengths, _SMALLEST_GAP * lengths.mean())
     return lengths / lengths.sum()
