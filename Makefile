@@ -31,7 +31,7 @@ export PYTHONHASHSEED := 0
 export PYTHONNOUSERSITE := 1
 unexport PYTHONPATH
 
-.PHONY: help check-python setup reproduce report notebooks test lint coverage bench lock clean
+.PHONY: help check-python setup reproduce report notebooks test lint coverage bench docs lock clean
 
 help: ## List the commands (this)
 	@grep -hE '^[a-z][a-z-]*:.*## ' $(firstword $(MAKEFILE_LIST)) | while IFS= read -r line; do \
@@ -100,12 +100,17 @@ bench: $(STAMP) ## Time tween beside its peers in one process
 	@$(BIN)/python -m experiments.bench
 	@$(BIN)/python -m experiments.bench_scale
 
+docs: $(STAMP) ## Build the documentation into .cache/docs
+	@echo "docs: building"
+	@$(BIN)/python -m sphinx -q -W -b html docs .cache/docs
+	@echo "docs: open .cache/docs/index.html"
+
 lock: check-python ## Choose the package versions anew and write requirements.lock
 	@echo "lock: getting uv"
 	@"$(PYTHON)" -m venv --clear .cache/uv
 	@.cache/uv/bin/python -m pip install --quiet --disable-pip-version-check uv==0.13.9
 	@echo "lock: choosing one version of each package for Python 3.11 and newer"
-	@$(UV) pip compile --quiet --upgrade --universal --fork-strategy fewest --python-version 3.11 --all-extras \
+	@$(UV) pip compile --quiet --upgrade --universal --fork-strategy fewest --python-version 3.11 --extra all \
 	  --no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock" \
 	  --output-file requirements.lock pyproject.toml
 
