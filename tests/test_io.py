@@ -1,0 +1,662 @@
+"""Files give back what was written, or one line that says what is wrong with them; failures destroy nothing."""
+
+import io
+import json
+import os
+import pickle
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+from strategies import exact_doubles
+
+from tween import gallery
+from tween.curve import Curve
+from tween.decomposition import decompose, triangulate
+from tween.errors import CurveError, FileError
+from tween.files import LARGEST_FILE
+from tween.flips import remesh
+from tween.io import (
+    read_curve,
+    read_curves,
+    read_frames,
+    stroke,
+    write_curve,
+    write_frames,
+    write_triangulation,
+)
+from tween.morph import morph
+from tween.svg import DEEPEST, MOST_ELEMENTS
+from tween.svgpath import MOST_POINTS
+
+FIXTURES = Path(__file__).parent / "fixtures"
+CURVE_SUFFIXES = (".svg", ".csv", ".json", ".geojson", ".npz", ".npy")
+SQUARE = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+FEW = settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+
+
+def saved(folder, name, content):
+    path = folder / name
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+    return path
+
+
+def svg(content):
+    return f'<svg xmlns="http://www.w3.org/2000/svg">{content}</svg>'
+
+
+def npz(**arrays):
+    stream = io.BytesIO()
+    np.savez(stream, **arrays)
+    return stream.getvalue()
+
+
+def npy(array):
+    stream = io.BytesIO()
+    np.save(stream, array)
+    return stream.getvalue()
+
+
+# Round trips
+
+
+@pytest.mark.parametrize("suffix", CURVE_SUFFIXES)
+@FEW
+@given(points=st.lists(st.tuples(exact_doubles, exact_doubles), min_size=3, max_size=8))
+def test_a_curve_is_read_back_exactly(tmp_path, suffix, points):
+    try:
+        curve = Curve(points)
+    except CurveError:
+        assume(False)
+    path = write_curve(tmp_path / f"curve{suffix}", curve)
+    assert np.array_equal(read_curve(path).points, curve.points)
+    assert [p.points.tolist() for p in read_curves(path).values()] == [curve.points.tolist()]
+
+
+@pytest.mark.parametrize("suffix", CURVE_SUFFIXES)
+def test_a_curve_of_the_gallery_is_read_back_exactly(tmp_path, suffix):
+    curve = gallery.curve("pretzel")
+    assert np.array_equal(read_curve(write_curve(tmp_path / f"curve{suffix}", curve)).points, curve.points)
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".obj", ".json", ".npz"])
+def test_a_triangulation_is_written_exactly(tmp_path, suffix):
+    T = triangulate(gallery.curve("horseshoe"))
+    path = write_triangulation(tmp_path / f"disk{suffix}", T)
+    if suffix == ".svg":
+        assert np.array_equal(read_curve(path, select="curve").points, T.points)
+        assert len(read_curves(path)) == 1 + len(T.triangles)
+        return
+    if suffix == ".obj":
+        rows = [line.split() for line in path.read_text().splitlines()]
+        points = np.array([row[1:3] for row in rows if row[0] == "v"], dtype=float)
+        triangles = np.array([row[1:] for row in rows if row[0] == "f"], dtype=int) - 1
+        assert {row[3] for row in rows if row[0] == "v"} == {"0"}
+    else:
+        content = json.loads(path.read_text()) if suffix == ".json" else np.load(path)
+        points, triangles = np.array(content["points"]), np.array(content["triangles"])
+        assert np.array_equal(read_curve(path).points, T.points)
+    assert np.array_equal(points, T.points)
+    assert np.array_equal(triangles, T.triangles)
+
+
+@pytest.mark.parametrize("suffix", [".json", ".npz"])
+@pytest.mark.parametrize("flips", [False, True])
+def test_frames_are_read_back_exactly(tmp_path, suffix, flips):
+    m = flipping() if flips else to_disk()
+    frames, triangles, times = read_frames(write_frames(tmp_path / f"frames{suffix}", m, 7))
+    assert np.array_equal(frames, m.frames(7))
+    assert np.array_equal(times, np.linspace(0, 1, 7))
+    assert triangles.shape == ((7,) if flips else ()) + m.source.triangles.shape
+    for t, shown in zip(times, np.broadcast_to(triangles, (7, *m.source.triangles.shape)), strict=True):
+        assert np.array_equal(shown, m.triangles_at(t))
+
+
+def to_disk():
+    T = triangulate(gallery.curve("ell"))
+    return morph(T, T.on_disk())
+
+
+def flipping():
+    m = morph(*(remesh(triangulate(gallery.curve(name))) for name in ("ell", "two_loops")))
+    assert m.events
+    return m
+
+
+def test_frames_are_written_as_rows_and_as_a_picture(tmp_path):
+    m = to_disk()
+    header, *rows = write_frames(tmp_path / "frames.csv", m, 3).read_text().splitlines()
+    table = np.array([row.split(",") for row in rows], dtype=float)
+    assert header == "frame,time,vertex,x,y"
+    assert np.array_equal(table[:, 3:].reshape(3, -1, 2), m.frames(3))
+    n = len(m.source)
+    assert table[[0, n, -1], :3].tolist() == [[0, 0, 0], [1, 0.5, 0], [2, 1, n - 1]]
+    outlines = read_curves(write_frames(tmp_path / "frames.svg", m, 3))
+    assert np.array_equal(outlines["frame_0"].points, m.source.points)
+
+
+def test_frames_without_times_are_read(tmp_path):
+    path = saved(tmp_path, "frames.npz", npz(frames=np.array([SQUARE]), triangles=np.array([[0, 1, 2], [0, 2, 3]])))
+    frames, triangles, times = read_frames(path)
+    assert frames.shape == (1, 4, 2)
+    assert triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
+    assert times is None
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".csv", ".json", ".npz"])
+def test_equal_content_makes_equal_bytes(tmp_path, suffix):
+    m = to_disk()
+    written = [write_frames(tmp_path / f"{i}{suffix}", m, 4).read_bytes() for i in range(2)]
+    assert written[0] == written[1]
+
+
+# Reading
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.csv", "0,0\n1,0\n1,1\n0,1\n"),
+        ("a.csv", "x,y\r\n0,0\r\n1,0\r\n1,1\r\n0,1\r\n"),
+        ("a.csv", "x [mm], y [mm]\n0,0\n1,0\n1,1\n0,1\n"),
+        ("a.csv", '"x";"y"\n0;0\n1;0\n1;1\n0;1'),
+        ("a.CSV", "# made by hand\n\n 0 0\n1\t0\n  1   1e0\n0 1\n\n"),
+        ("a.csv", "\ufeffx,y\n0,0\n1,0\n1,1\n0,1\n0,0\n"),
+        ("a.csv", "0,0\n0,0\n1,0\n1,1\n1,1\n1,1\n0,1\n0,0\n0,0"),
+        ("a.json", "[[0, 0], [1, 0], [1, 1.0], [0, 1]]"),
+        ("a.json", '\ufeff{"points": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}'),
+        ("a.json", '{"curves": {"square": [[0, 0], [1, 0], [1, 1], [0, 1]]}}'),
+        ("a.json", '{"type": "LineString", "coordinates": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}'),
+        ("a.geojson", '{"type": "Polygon", "coordinates": [[[0, 0, 5], [1, 0, 5], [1, 1, 5], [0, 1, 5], [0, 0, 5]]]}'),
+        ("a.svg", svg('<path d="M0 0H1V-1H0z"/>')),
+        ("a.svg", svg('<rect y="-1" width="1" height="1"/><defs><circle r="3"/></defs>')),
+        (
+            "a.svg",
+            '<?xml version="1.0" encoding="UTF-16"?><svg><polygon points="0,0 1,0 1-1 0-1"/></svg>'.encode("utf-16"),
+        ),
+        ("a.npz", npz(points=np.array(SQUARE), triangles=np.zeros((2, 3)))),
+        ("a.npz", npz(square=np.array(SQUARE, dtype=np.float32))),
+        ("a.npy", npy(np.asfortranarray(np.array(SQUARE, dtype=">i4")))),
+    ],
+)
+def test_a_square_is_read_from_every_format(tmp_path, name, content):
+    curve = read_curve(saved(tmp_path, name, content))
+    corners = {tuple(p) for p in curve.points.tolist()}
+    assert corners == {tuple(p) for p in SQUARE}
+    assert len(curve) == 4
+
+
+def test_regions_of_geojson_have_their_ids_and_other_geometries_are_passed_over():
+    curves = read_curves(FIXTURES / "regions.geojson")
+    assert {name: curve.points.tolist() for name, curve in curves.items()} == {
+        "island": [[0, 0], [4, 0], [4, 3]],
+        "7": [[0, 0], [1, 0], [1, 1]],
+    }
+
+
+def test_a_curve_is_chosen_by_id_or_place():
+    path = FIXTURES / "layers.svg"
+    first, second = read_curve(path, "two.1"), read_curve(path, 2)
+    assert np.array_equal(first.points, second.points)
+    assert np.array_equal(read_curve(path, "2").points, second.points)
+    assert len(read_curve(path, "7", tolerance=1.0)) < len(read_curve(path, "7", tolerance=1e-3))
+
+
+def test_an_id_goes_before_a_place_and_no_curve_is_lost_to_an_id_that_occurs_twice(tmp_path):
+    triangles = [f'<path id="{name}" d="M0 0h{i + 1}v1z"/>' for i, name in enumerate(["1", "a", "a", ""])]
+    path = saved(tmp_path, "a.svg", svg("".join(triangles)))
+    assert {name: curve.points[:, 0].max() for name, curve in read_curves(path).items()} == {
+        "1": 1,
+        "a": 2,
+        "2": 3,
+        "3": 4,
+    }
+    assert read_curve(path, "1").points[:, 0].max() == 1
+    assert read_curve(path, 1).points[:, 0].max() == 2
+    twice = saved(tmp_path, "b.svg", svg('<path id="1" d="M0 0h1v1z"/><path d="M0 0h2v1z"/>'))
+    assert list(read_curves(twice)) == ["1", "1'"]
+
+
+@pytest.mark.parametrize("select", [None, "zz", 100, -1, "100", "-1", "", "9" * 99])
+def test_of_many_curves_an_error_lists_ten(tmp_path, select):
+    path = saved(tmp_path, "a.svg", svg("".join(f'<path id="p{i}" d="M0 0h1v1z"/>' for i in range(100))))
+    with pytest.raises(FileError, match=r"a\.svg: holds .* expected .*: 'p0', 'p1', .*, 'p9', and 90 more$"):
+        read_curve(path, select)
+    assert len(read_curves(path)) == 100
+
+
+def test_an_error_about_one_of_many_curves_names_it(tmp_path):
+    path = saved(tmp_path, "a.json", json.dumps({"curves": {"good": SQUARE, "bad": SQUARE[:2]}}))
+    assert len(read_curve(path, "good")) == 4
+    with pytest.raises(CurveError, match="curve 'bad': a curve needs at least 3 vertices"):
+        read_curves(path)
+
+
+# Strokes
+
+
+@pytest.mark.parametrize("tolerance", [None, 1.0, 1e-2])
+def test_a_stroke_is_a_ribbon_as_wide_as_its_path_is_curved(tolerance):
+    path = FIXTURES / "loop.svg"
+    curve = stroke(path, 5, tolerance=tolerance)
+    assert decompose(curve)
+    assert len(curve.crossings.crossing) == 4
+    assert np.hypot(*(curve.points[0] - curve.points[-1])) == pytest.approx(5)
+    # The smallest radius of curvature is 14.457, in the second of the cubics.
+    assert decompose(stroke(path, 28.8, tolerance=tolerance))
+
+
+def test_a_stroke_that_is_too_wide_names_the_file_and_the_radius():
+    with pytest.raises(CurveError, match=r"loop\.svg: spine vertex \d+: radius of curvature 14\.\d is not above"):
+        stroke(FIXTURES / "loop.svg", 29, tolerance=1e-2)
+
+
+def test_the_stroke_of_a_closed_path_goes_once_around(tmp_path):
+    path = saved(tmp_path, "a.svg", svg('<circle id="o" r="10"/>'))
+    curve = stroke(path, 2, select="o")
+    assert decompose(curve)
+    assert curve.area == pytest.approx(2 * np.pi * 20, rel=1e-2)
+
+
+# Malformed files
+
+PATH = '<path d="M0 0h1v1z"/>'
+BOMB = '<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa">' + "".join(
+    f'<!ENTITY {b} "{f"&{a};" * 10}">' for a, b in zip("abcdefgh", "bcdefghi", strict=True)
+)
+HUGE = "1" + "0" * 400
+
+
+class _Trap:
+    """Unpickling it would leave a trace."""
+
+    def __reduce__(self):
+        return (os.abort, ())
+
+
+def _zip(**members):
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(f"{name}.npy", content)
+    return stream.getvalue()
+
+
+def _header(shape):
+    """An npy file that announces more than it holds."""
+    good = npy(np.zeros((3, 2)))
+    return (
+        good[:10]
+        + str({"descr": "<f8", "fortran_order": False, "shape": shape}).encode().ljust(117)
+        + b"\n"
+        + good[128:]
+    )
+
+
+MALFORMED = {
+    # SVG
+    "svg empty": (".svg", ""),
+    "svg blank": (".svg", " \n"),
+    "svg truncated in a tag": (".svg", svg(PATH)[:60]),
+    "svg truncated before its end": (".svg", svg(PATH)[:-3]),
+    "svg binary": (".svg", bytes(range(256))),
+    "svg that is words": (".svg", "hello world"),
+    "svg that is HTML": (".svg", "<html><body/></html>"),
+    "svg of two roots": (".svg", svg(PATH) * 2),
+    "svg in an unknown encoding": (".svg", '<?xml version="1.0" encoding="klingon"?>' + svg(PATH)),
+    "svg in a wrong encoding": (".svg", svg(f"<!-- é -->{PATH}").encode("latin-1")),
+    "svg of no shape": (".svg", svg("<g/>")),
+    "svg of hidden shapes": (".svg", svg(f'<defs>{PATH}</defs><g display="none">{PATH}</g>')),
+    "svg of text": (".svg", svg("<text>M0 0h1v1z</text>")),
+    "svg path without data": (".svg", svg("<path/>")),
+    "svg path with only a move": (".svg", svg('<path d="M3 3"/>')),
+    "svg path with only moves": (".svg", svg('<path d="M3 3m1 1 M4 4z"/>')),
+    "svg path of one line": (".svg", svg('<path d="M3 3l1 1"/>')),
+    "svg path back and forth": (".svg", svg('<path d="M0 0h3h-3z"/>')),
+    "svg path of garbage": (".svg", svg('<path d="M0 0 L blah"/>')),
+    "svg path of units": (".svg", svg('<path d="M0px 0px L1cm 2cm z"/>')),
+    "svg path of an odd coordinate": (".svg", svg('<path d="M0 0 1 0 1"/>')),
+    "svg path of a bad flag": (".svg", svg('<path d="M0 0a1 1 0 7 0 1 1z"/>')),
+    "svg path of a negative radius": (".svg", svg('<path d="M0 0a-1 1 0 0 0 1 1z"/>')),
+    "svg path of NaN": (".svg", svg('<path d="M0 0LNaN 1 2 2z"/>')),
+    "svg path of huge numbers": (".svg", svg(f'<path d="M0 0H{HUGE}V1z"/>')),
+    "svg path of huge exponents": (".svg", svg('<path d="M0 0H1e200V1e200z"/>')),
+    "svg path of huge curves": (".svg", svg('<path d="M0 0C1.7e308 1.7e308-1.7e308 0 1 1z"/>')),
+    "svg path of a tiny arc": (".svg", svg('<path d="M0 0a1e-200 1e-200 0 0 1 1e-190 0z"/>')),
+    "svg path that begins with a line": (".svg", svg('<path d="L0 0 1 0 1 1z"/>')),
+    "svg path of too many points": (".svg", svg(f'<path d="M{"0 1 1 0 " * (MOST_POINTS // 2 + 1)}"/>')),
+    "svg path of many flat curves": (".svg", svg(f'<path d="M0 0{"C0 1e9 0 1e9 1 1" * 20_000}"/>')),
+    "svg polygon of an odd coordinate": (".svg", svg('<polygon points="0 0 1 0 1"/>')),
+    "svg polygon of words": (".svg", svg('<polygon points="one two three"/>')),
+    "svg polygon without points": (".svg", svg('<polygon points=""/>')),
+    "svg rectangle without a width": (".svg", svg('<rect height="3"/>')),
+    "svg rectangle of percentages": (".svg", svg('<rect width="50%" height="3"/>')),
+    "svg rectangle of a negative width": (".svg", svg('<rect width="-1" height="3"/>')),
+    "svg circle of words": (".svg", svg('<circle r="big"/>')),
+    "svg circle of infinite radius": (".svg", svg('<circle r="1e999"/>')),
+    "svg circle of several radii": (".svg", svg('<circle r="1-2"/>')),
+    "svg transform of garbage": (".svg", svg(f'<g transform="spin(3">{PATH}</g>')),
+    "svg transform that is unknown": (".svg", svg(f'<g transform="spin(3)">{PATH}</g>')),
+    "svg transform of too few numbers": (".svg", svg(f'<g transform="matrix(1 2 3)">{PATH}</g>')),
+    "svg transform to one point": (".svg", svg(f'<g transform="scale(0)">{PATH}</g>')),
+    "svg transform to infinity": (".svg", svg(f'<g transform="{"scale(1e300)" * 3}">{PATH}</g>')),
+    "svg use of nothing": (".svg", svg('<use href="#nothing"/>')),
+    "svg use of another file": (".svg", svg('<use href="other.svg#a"/>')),
+    "svg use of itself": (".svg", svg(f'<g id="a">{PATH}<use href="#a"/></g>')),
+    "svg of groups nested too deeply": (".svg", svg("<g>" * DEEPEST + PATH + "</g>" * DEEPEST)),
+    "svg of too many elements": (".svg", svg("<g/>" * MOST_ELEMENTS + PATH)),
+    "svg of thousands of paths": (".svg", svg(PATH * 3000)),
+    "svg entity bomb": (".svg", f"{BOMB}]><svg>&i;</svg>"),
+    "svg external entity": (".svg", '<!DOCTYPE svg [<!ENTITY x SYSTEM "file:' + '///etc/hostname">]><svg>&x;</svg>'),
+    "svg undefined entity": (".svg", "<svg>&x;</svg>"),
+    # CSV
+    "csv empty": (".csv", ""),
+    "csv blank": (".csv", "\n\n  \n"),
+    "csv of a header only": (".csv", "x,y\n"),
+    "csv of one column": (".csv", "1\n2\n3\n"),
+    "csv of three columns": (".csv", "0,0,0\n1,0,0\n1,1,0\n"),
+    "csv of frames": (".csv", "frame,time,vertex,x,y\n0,0.0,0,1.0,2.0\n"),
+    "csv of words": (".csv", "to be\nor not\nto be\n"),
+    "csv that breaks off": (".csv", "0,0\n1,0\n1"),
+    "csv of mixed separators": (".csv", "0,0\n1;0\n1,1\n"),
+    "csv of decimal commas": (".csv", "0,5;1,5\n2,5;1,5\n2,5;3,5\n"),
+    "csv of underscores": (".csv", "0,0\n1_0,0\n1,1\n"),
+    "csv of NaN": (".csv", "0,0\nnan,0\n1,1\n"),
+    "csv of infinity": (".csv", "0,0\ninf,0\n1,1\n"),
+    "csv of huge numbers": (".csv", f"0,0\n{HUGE},0\n1,1\n"),
+    "csv of tiny numbers": (".csv", "0,0\n1e-300,0\n1,1\n"),
+    "csv of two points": (".csv", "0,0\n1,1\n"),
+    "csv of one point many times": (".csv", "1,1\n" * 9),
+    "csv in UTF-16": (".csv", "0,0\n1,0\n1,1\n".encode("utf-16")),
+    "csv in Latin-1": (".csv", "é,è\n0,0\n1,0\n1,1\n".encode("latin-1")),
+    "csv binary": (".csv", bytes(range(256)) * 4),
+    "csv of null characters": (".csv", "\0" * 100),
+    "csv of a long line": (".csv", "1" * 10**6),
+    "csv of too many points": (".csv", "0,0\n1,1\n" * (MOST_POINTS // 2 + 1)),
+    # JSON and GeoJSON
+    "json empty": (".json", ""),
+    "json truncated": (".json", "[[0, 0], [1, 0], [1"),
+    "json of a word": (".json", "points"),
+    "json null": (".json", "null"),
+    "json number": (".json", "3"),
+    "json string": (".json", '"[[0, 0], [1, 0], [1, 1]]"'),
+    "json empty list": (".json", "[]"),
+    "json empty object": (".json", "{}"),
+    "json of other keys": (".json", '{"vertices": [[0, 0], [1, 0], [1, 1]]}'),
+    "json of no curves": (".json", '{"curves": {}}'),
+    "json of a list of curves": (".json", '{"curves": [[[0, 0], [1, 0], [1, 1]]]}'),
+    "json of numbers": (".json", "[1, 2, 3, 4]"),
+    "json of triples": (".json", "[[0, 0, 0], [1, 0, 0], [1, 1, 0]]"),
+    "json ragged": (".json", "[[0, 0], [1], [1, 1]]"),
+    "json of strings": (".json", '[["0", "0"], ["1", "0"], ["1", "1"]]'),
+    "json of booleans": (".json", "[[true, 0], [1, 0], [1, 1]]"),
+    "json of null coordinates": (".json", "[[0, null], [1, 0], [1, 1]]"),
+    "json of NaN": (".json", "[[0, NaN], [1, 0], [1, 1]]"),
+    "json of infinity": (".json", "[[0, 1e999], [1, 0], [1, 1]]"),
+    "json of huge integers": (".json", f"[[0, {HUGE}], [1, 0], [1, 1]]"),
+    "json of endless integers": (".json", f"[[0, {'9' * 5000}], [1, 0], [1, 1]]"),
+    "json nested deeply": (".json", "[" * 100_000 + "]" * 100_000),
+    "json nested deeply in a point": (".json", "[[0, " + "[" * 900 + "]" * 900 + "], [1, 0]]"),
+    "json in UTF-16": (".json", "[[0, 0], [1, 0], [1, 1]]".encode("utf-16")),
+    "json binary": (".json", bytes(range(256))),
+    "geojson of a point": (".geojson", '{"type": "Point", "coordinates": [1, 2]}'),
+    "geojson of points": (".geojson", '{"type": "MultiPoint", "coordinates": [[0, 0], [1, 0], [1, 1]]}'),
+    "geojson of no features": (".geojson", '{"type": "FeatureCollection", "features": []}'),
+    "geojson of odd features": (".geojson", '{"type": "FeatureCollection", "features": [1, 2]}'),
+    "geojson without features": (".geojson", '{"type": "FeatureCollection"}'),
+    "geojson feature without a geometry": (".geojson", '{"type": "Feature", "geometry": null}'),
+    "geojson empty polygon": (".geojson", '{"type": "Polygon", "coordinates": []}'),
+    "geojson polygon of one ring too few": (".geojson", '{"type": "Polygon", "coordinates": [[0, 0], [1, 0], [1, 1]]}'),
+    "geojson line without coordinates": (".geojson", '{"type": "LineString"}'),
+    "geojson of an odd type": (".geojson", '{"type": ["LineString"], "coordinates": []}'),
+    # NumPy
+    "npz empty": (".npz", b""),
+    "npz truncated": (".npz", npz(points=np.array(SQUARE))[:-40]),
+    "npz damaged": (".npz", npz(points=np.array(SQUARE)).replace(b"NUMPY", b"MUNPY")),
+    "npz that is words": (".npz", "hello world"),
+    "npz of no arrays": (".npz", _zip()),
+    "npz of other files": (".npz", _zip(points="hello")),
+    "npz that is npy": (".npz", npy(np.array(SQUARE))),
+    "npz of objects": (".npz", npz(points=np.array([_Trap(), None], dtype=object))),
+    "npz that is a pickle": (".npz", pickle.dumps(SQUARE)),
+    "npz of strings": (".npz", npz(points=np.array([["0", "0"], ["1", "0"]]))),
+    "npz of complex numbers": (".npz", npz(points=np.array([0, 1, 1j]))),
+    "npz of booleans": (".npz", npz(points=np.eye(2, dtype=bool))),
+    "npz of frames": (".npz", npz(frames=np.zeros((5, 4, 2)))),
+    "npz of a wrong shape": (".npz", npz(points=np.zeros((2, 4)))),
+    "npz of NaN": (".npz", npz(points=np.full((4, 2), np.nan))),
+    "npz bomb": (".npz", _zip(points=b"\0" * (LARGEST_FILE + 1))),
+    "npy empty array": (".npy", npy(np.zeros((0, 2)))),
+    "npy flat": (".npy", npy(np.arange(8.0))),
+    "npy of a number": (".npy", npy(np.float64(3))),
+    "npy of records": (".npy", npy(np.zeros(4, dtype=[("x", float), ("y", float)]))),
+    "npy of objects": (".npy", npy(np.array([_Trap()], dtype=object))),
+    "npy truncated": (".npy", npy(np.array(SQUARE))[:-1]),
+    "npy truncated in its header": (".npy", npy(np.array(SQUARE))[:20]),
+    "npy that announces terabytes": (".npy", _header((10**12, 2))),
+    "npy of a negative shape": (".npy", _header((-3, 2))),
+    "npy of an odd shape": (".npy", _header("many")),
+    "npy of a pickle": (".npy", pickle.dumps(SQUARE)),
+    # Names
+    "no suffix": ("", "0,0\n1,0\n1,1\n"),
+    "unknown suffix": (".docx", "0,0\n1,0\n1,1\n"),
+    "obj": (".obj", "v 0 0 0\n"),
+}
+
+
+def complaint(path, read):
+    """Return the message of the error that reading has to end with, soon."""
+    start = time.process_time()
+    with pytest.raises((FileError, CurveError)) as caught:
+        read(path)
+    message = str(caught.value)
+    assert message.startswith(f"{path}: ")
+    assert "\n" not in message
+    assert message.isprintable()
+    assert len(message) < len(str(path)) + 500
+    assert caught.value.__cause__ is None
+    assert caught.value.__suppress_context__  # no second traceback above
+    assert time.process_time() - start < 30
+    return message.removeprefix(f"{path}: ")
+
+
+def test_a_first_line_that_begins_with_a_digit_is_no_header(tmp_path):
+    path = saved(tmp_path, "a.csv", "0,5;1,5\n2;1\n2;3\n0;3\n")
+    assert complaint(path, read_curve) == "line 1 is '0,5;1,5', expected two numbers, x and y"
+
+
+def test_there_are_enough_kinds_of_malformed_files():
+    assert len(MALFORMED) >= 100
+
+
+@pytest.mark.parametrize("kind", MALFORMED)
+def test_a_malformed_file_is_answered_by_one_line(tmp_path, kind):
+    suffix, content = MALFORMED[kind]
+    path = saved(tmp_path, f"malformed{suffix}", content)
+    assert complaint(path, read_curve)
+    if len(content) < 10_000:  # the others take a second each
+        assert complaint(path, read_curves)
+        assert complaint(path, lambda p: stroke(p, 1e300))
+
+
+@pytest.mark.parametrize(
+    "kind", ["folder.svg", "missing.svg", "missing/missing.csv", "pipe.csv", "large.npz", "nul\0.csv"]
+)
+def test_what_is_no_readable_file_is_answered_by_one_line(tmp_path, kind):
+    path = tmp_path / kind
+    if kind.startswith("folder"):
+        path.mkdir()
+    elif kind.startswith("pipe"):
+        os.mkfifo(path)
+    elif kind.startswith("large"):
+        with open(path, "wb") as file:
+            file.truncate(LARGEST_FILE + 1)
+    for read in (read_curve, read_curves, lambda p: stroke(p, 1)):
+        if "\0" in kind:
+            with pytest.raises(FileError, match=r"nul\\x00\.csv: embedded null"):
+                read(path)
+        else:
+            assert complaint(path, read)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="the administrator may read everything")
+def test_a_file_one_may_not_read_is_answered_by_one_line(tmp_path):
+    path = saved(tmp_path, "secret.csv", "0,0\n1,0\n1,1\n")
+    path.chmod(0)
+    assert complaint(path, read_curve) == "Permission denied"
+
+
+@pytest.mark.parametrize("tolerance", [0, -1, float("nan"), float("inf")])
+def test_a_tolerance_is_a_positive_length(tolerance):
+    with pytest.raises(FileError, match="tolerance"):
+        read_curve(FIXTURES / "loop.svg", tolerance=tolerance)
+
+
+def test_a_tolerance_that_takes_too_many_points_is_refused():
+    with pytest.raises(FileError, match=f"more than {MOST_POINTS} points"):
+        read_curve(FIXTURES / "loop.svg", tolerance=1e-15)
+
+
+FRAMES = {"frames": np.array([SQUARE] * 3), "triangles": np.array([[0, 1, 2], [0, 2, 3]]), "times": np.arange(3.0)}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"frames": None},
+        {"triangles": None},
+        {"frames": np.zeros((4, 2))},
+        {"frames": np.zeros((0, 4, 2))},
+        {"frames": np.zeros((3, 2, 2))},
+        {"frames": np.full((3, 4, 2), np.nan)},
+        {"frames": np.zeros((3, 4, 2), dtype=bool)},
+        {"triangles": np.zeros((3, 3), dtype=int)},
+        {"triangles": np.zeros((2, 2, 3), dtype=int)},
+        {"triangles": np.zeros((2, 3))},
+        {"triangles": np.array([[0, 1, 2], [0, 2, 4]])},
+        {"triangles": np.array([[0, 1, 2], [0, 2, -1]])},
+        {"times": np.arange(4.0)},
+        {"times": np.array([0, np.inf, 1])},
+    ],
+)
+@pytest.mark.parametrize("suffix", [".json", ".npz"])
+def test_malformed_frames_are_answered_by_one_line(tmp_path, change, suffix):
+    arrays = {name: array for name, array in {**FRAMES, **change}.items() if array is not None}
+    text = json.dumps({name: array.tolist() for name, array in arrays.items()})
+    path = saved(tmp_path, f"frames{suffix}", npz(**arrays) if suffix == ".npz" else text)
+    assert complaint(path, read_frames)
+
+
+@pytest.mark.parametrize("content", ["[1, 2]", "{}", '{"frames": [[1], [2, 3]], "triangles": []}', "", "null"])
+def test_what_holds_no_frames_is_answered_by_one_line(tmp_path, content):
+    assert complaint(saved(tmp_path, "frames.json", content), read_frames)
+
+
+VALID = [
+    (".svg", (FIXTURES / "layers.svg").read_bytes()),
+    (".svg", (FIXTURES / "loop.svg").read_bytes()),
+    (".csv", b"x,y\n0,0\n1,0\n1,1\n0,1\n"),
+    (".geojson", (FIXTURES / "regions.geojson").read_bytes()),
+    (".npz", npz(points=np.array(SQUARE))),
+    (".npy", npy(np.array(SQUARE))),
+]
+
+
+@settings(FEW, max_examples=300)
+@given(
+    st.sampled_from(VALID),
+    st.lists(st.tuples(st.floats(0, 1, exclude_max=True), st.binary(max_size=3)), max_size=4),
+    st.floats(0, 1),
+)
+def test_damage_is_read_or_answered_by_one_line(tmp_path, valid, changes, end):
+    suffix, data = valid
+    for place, new in changes:
+        at = int(place * len(data))
+        data = data[:at] + new + data[at + len(new) :]
+    data = data[: int(len(data) * end)] if end < 0.5 else data
+    path = saved(tmp_path, f"damaged{suffix}", data)
+    try:
+        read_curves(path)
+    except (FileError, CurveError) as error:
+        assert str(error).startswith(f"{path}: ")
+        assert str(error).isprintable()
+
+
+# Failing to write
+
+
+def writers():
+    T = triangulate(gallery.curve("ell"))
+    m = morph(T, T.on_disk())
+    return {
+        "curve": lambda path: write_curve(path, T.curve),
+        "triangulation": lambda path: write_triangulation(path, T),
+        "frames": lambda path: write_frames(path, m, 3),
+    }
+
+
+def fail(*_, **__):
+    raise OSError(28, "No space left on device")
+
+
+class _FullDisk(io.FileIO):
+    def write(self, data):
+        super().write(bytes(data)[:10])
+        fail()
+
+
+@pytest.mark.parametrize("what", ["curve", "triangulation", "frames"])
+@pytest.mark.parametrize("failing", ["rename", "write", "make"])
+def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch, what, failing):
+    path = saved(tmp_path, "shape.npz", b"what was there")
+    write = writers()[what]
+    if failing == "rename":
+        monkeypatch.setattr("tween.files.os.replace", fail)
+    elif failing == "write":
+        monkeypatch.setattr("tween.files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
+    else:
+        monkeypatch.setattr("tween.io.npz_bytes", fail)
+    assert complaint(path, write) == "No space left on device"
+    assert path.read_bytes() == b"what was there"
+    assert os.listdir(tmp_path) == ["shape.npz"]
+
+
+@pytest.mark.parametrize("what", ["curve", "triangulation", "frames"])
+@pytest.mark.parametrize("name", ["a.docx", "a", "missing/a.json", "folder.json", "file.csv/a.json"])
+def test_what_cannot_be_written_is_answered_by_one_line(tmp_path, what, name):
+    (tmp_path / "folder.json").mkdir()
+    saved(tmp_path, "file.csv", b"what was there")
+    assert complaint(tmp_path / name, writers()[what])
+    assert sorted(os.listdir(tmp_path)) == ["file.csv", "folder.json"]
+    assert (tmp_path / "file.csv").read_bytes() == b"what was there"
+
+
+def test_an_unknown_suffix_is_answered_with_the_known_ones(tmp_path):
+    message = complaint(tmp_path / "a.docx", writers()["curve"])
+    assert message == "has the suffix '.docx', expected one of .csv, .geojson, .json, .npy, .npz, .svg"
+
+
+def test_writing_replaces_a_file_and_follows_a_link(tmp_path):
+    target = saved(tmp_path, "target.csv", b"what was there")
+    (tmp_path / "link.csv").symlink_to(target)
+    path = write_curve(tmp_path / "link.csv", Curve(SQUARE))
+    assert path == tmp_path / "link.csv"
+    assert path.is_symlink()
+    assert np.array_equal(read_curve(target).points, SQUARE)
+
+
+def test_a_lack_of_memory_is_answered_by_one_line(tmp_path, monkeypatch):
+    def lack(_):
+        raise MemoryError
+
+    monkeypatch.setattr("tween.io.content_of", lack)
+    assert complaint(saved(tmp_path, "a.csv", "0,0"), read_curve) == "needs more memory than there is"
+
+
+def test_a_name_of_several_lines_makes_a_message_of_one(tmp_path):
+    with pytest.raises(FileError, match=r"two\\nlines\.csv: No such file"):
+        read_curve(tmp_path / "two\nlines.csv")
