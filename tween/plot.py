@@ -8,7 +8,7 @@ stands for one idea everywhere:
 """
 
 import pathlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -62,12 +62,34 @@ def draw_shape(
     """
     ax = _axes(ax)
     points = as_curve(shape).points
-    for face in shapely.polygonize([shapely.unary_union(shapely.linearrings(points))]).geoms:
-        layers = abs(winding_number(points, np.array(face.representative_point().coords[0])))
-        outline = Path.make_compound_path(*(Path(np.array(r.coords)) for r in (face.exterior, *face.interiors)))
-        ax.add_patch(PathPatch(outline, facecolor=color, alpha=1 - (1 - alpha) ** layers, linewidth=0))
+    for outline, winding in regions(points):
+        ax.add_patch(PathPatch(outline, facecolor=color, alpha=1 - (1 - alpha) ** abs(winding), linewidth=0))
     ax.add_collection(LineCollection([_closed(points)], colors=color, linewidths=1.2, capstyle="round"))
     return _frame(ax)
+
+
+def regions(points: NDArray[np.float64]) -> Iterator[tuple[Path, int]]:
+    """Find the bounded regions into which a curve divides the plane, for pictures.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Yields
+    ------
+    Path
+        The outer boundary, then those of holes.
+    int
+        How often the curve winds about the region.
+
+    Examples
+    --------
+    >>> [winding for _, winding in regions(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))]
+    [1]
+    """
+    for face in shapely.polygonize([shapely.unary_union(shapely.linearrings(points))]).geoms:
+        outline = Path.make_compound_path(*(Path(np.array(r.coords)) for r in (face.exterior, *face.interiors)))
+        yield outline, winding_number(points, np.array(face.representative_point().coords[0]))
 
 
 def winding_number(points: NDArray[np.float64], place: NDArray[np.float64]) -> int:

@@ -31,7 +31,7 @@ def npz_bytes(**arrays: NDArray[Any]) -> bytes:
     bytes
     """
     stream = io.BytesIO()
-    np.savez(stream, **arrays)
+    np.savez(stream, allow_pickle=False, **arrays)
     return stream.getvalue()
 
 
