@@ -31,7 +31,7 @@ def npz_bytes(**arrays: NDArray[Any]) -> bytes:
     bytes
     """
     stream = io.BytesIO()
-    np.savez(stream, allow_pickle=False, **arrays)
+    np.savez(stream, **arrays)  # type: ignore[arg-type]
     return stream.getvalue()
 
 
