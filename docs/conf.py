@@ -1,0 +1,160 @@
+"""How Sphinx builds this documentation; nothing is fetched, and nothing is written outside the output folder."""
+
+import inspect
+import os
+import re
+from importlib import import_module
+from importlib.metadata import version as installed_version
+from pathlib import Path
+from typing import Any
+
+# Pictures are drawn to files, so no screen is needed.
+os.environ["MPLBACKEND"] = "Agg"
+
+from docutils import nodes
+from docutils.utils.math import unichar2tex
+from docutils.utils.math.latex2mathml import tex2mathml
+from matplotlib import rc_params_from_file
+from sphinx.application import Sphinx
+from sphinx.writers.html5 import HTML5Translator
+
+import tween
+
+HERE = Path(__file__).resolve().parent
+
+project = "tween"
+author = "The tween developers"
+copyright = author
+version = release = installed_version("tween")
+language = "en"
+
+extensions = [
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+    "matplotlib.sphinxext.plot_directive",
+]
+
+# Docstrings: `name` in single backquotes is a name of tween; types are explained in words, with shapes and units.
+default_role = "py:obj"
+add_module_names = True
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+autodoc_preserve_defaults = True
+autosummary_generate = False
+napoleon_google_docstring = False
+napoleon_custom_sections = [("Attributes", "params_style")]
+napoleon_use_rtype = False
+viewcode_line_numbers = True
+
+# Pictures are drawn by the code beside them, in the project's style, at twice the size of a plain screen.
+plot_include_source = True
+plot_html_show_source_link = False
+plot_html_show_formats = False
+plot_formats = [("png", 200)]
+plot_pre_code = ""
+plot_rcparams = dict(rc_params_from_file(Path(tween.__file__).with_name("tween.mplstyle"), use_default_template=False))
+plot_apply_rcparams = True
+
+COLOURED = ("brand-primary", "brand-content", "api-name", "api-pre-name")
+html_theme = "furo"
+html_title = f"tween {release}"
+html_static_path = ["_static"]
+html_css_files = ["tween.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_math_renderer = "mathml"
+html_theme_options = {
+    "light_css_variables": {f"color-{part}": "#0072B2" for part in COLOURED},
+    "dark_css_variables": {f"color-{part}": "#56B4E9" for part in COLOURED},
+}
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
+
+
+def draw_as_drawn(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Keep drawings and tables of a module's docstring as they were typed: what is indented, or has wide gaps."""
+    if what != "module":
+        return
+    kept: list[str] = []
+    for paragraph in "\n".join(lines).split("\n\n"):
+        rows = paragraph.split("\n")
+        if rows[0].startswith(" ") or any(re.search(r"\S {3,}\S", row) for row in rows):
+            kept += [".. code-block:: text", "   :class: drawing", "", *(f"   {row}" for row in rows), ""]
+        else:
+            kept += [*rows, ""]
+    lines[:] = kept
+
+
+def keep_initials(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Keep an initial at the start of a line from becoming the number of a list."""
+    lines[:] = [re.sub(r"^(\s*)([A-Z]\. )", r"\1\\\2", line) for line in lines]
+
+
+def join_sentence(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Put together again what napoleon takes for a type and a text: the sentence of a property around its colon."""
+    found = [line for line in lines if line.startswith(":type: ")]
+    if what in {"property", "attribute"} and found:
+        lines[:] = [
+            f"{found[0].removeprefix(':type: ')}: {lines[0]}",
+            *(line for line in lines[1:] if line not in found),
+        ]
+
+
+def link_result(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Make a link of what a function returns, where that is a class of tween."""
+    lines[:] = [re.sub(r"^:returns: \*([A-Z]\w+)\*", r":returns: :py:class:`.\1`", line) for line in lines]
+
+
+def hide_constructor(
+    app: Sphinx, what: str, name: str, obj: object, options: object, arguments: str | None, result: str | None
+) -> tuple[str, str] | None:
+    """Show no arguments for a class that a function makes: nobody calls it."""
+    by_hand = name.rpartition(".")[2] in {"Curve", "Triangulation"}
+    return ("", "") if what == "class" and not by_hand else None
+
+
+def skip_members(app: Sphinx, what: str, name: str, obj: object, skip: bool, options: object) -> bool | None:
+    """Leave out what a module imports from other packages, and fields of named tuples: they are in Attributes."""
+    foreign = not str(getattr(obj, "__module__", None) or "tween").startswith("tween")
+    return True if (what == "module" and foreign) or type(obj).__name__ == "_tuplegetter" else None
+
+
+def first_line(module: str) -> str:
+    """Return the sentence with which the docstring of a module starts."""
+    return (inspect.getdoc(import_module(f"tween.{module}")) or "").partition("\n")[0]
+
+
+def list_modules(app: Sphinx, name: str, source: list[str]) -> None:
+    """Say in the reference what each module is about, and on the page "inside" explain those without a page there."""
+    if name == "api/index":
+        listed = re.findall(r"^   (\w+)$", source[0].partition(".. toctree::")[2], re.MULTILINE)
+        source[0] += "".join(f"\n* :doc:`tween.{m} <{m}>`: {first_line(m)}" for m in listed) + "\n"
+    if name == "inside":
+        for module in sorted(path.stem for path in Path(tween.__file__).parent.glob("[!_]*.py")):
+            if not (HERE / "api" / f"{module}.rst").exists():
+                title = f"tween.{module}"
+                source[0] += f"\n{title}\n{'-' * len(title)}\n\n.. automodule:: {title}\n"
+
+
+def as_mathml(self: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
+    """Write a formula in MathML, which browsers show by themselves: no script, no font, no network."""
+    block = isinstance(node, nodes.math_block)
+    formula = tex2mathml(node.astext().translate(unichar2tex.uni2tex_table), as_block=block)
+    formula = re.sub(r"\s*\n\s*", "", formula)
+    self.body.append(f'<div class="formula">{formula}</div>\n' if block else formula)
+    raise nodes.SkipNode
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register what is above."""
+    app.connect("autodoc-process-docstring", draw_as_drawn, priority=100)  # before napoleon, whose priority is 500
+    app.connect("autodoc-process-docstring", join_sentence, priority=900)
+    app.connect("autodoc-process-docstring", keep_initials, priority=900)
+    app.connect("autodoc-process-docstring", link_result, priority=900)
+    app.connect("autodoc-process-signature", hide_constructor)
+    app.connect("autodoc-skip-member", skip_members)
+    app.connect("source-read", list_modules)
+    app.add_html_math_renderer("mathml", inline_renderers=(as_mathml, None), block_renderers=(as_mathml, None))
+    return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -1,0 +1,263 @@
+"""The documentation: it builds without a warning, its code runs, its links lead somewhere, and nothing is fetched."""
+
+import doctest
+import os
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from importlib.util import find_spec
+from pathlib import Path
+from textwrap import dedent
+from typing import Any, NamedTuple
+
+import matplotlib.pyplot as plt
+import pytest
+
+import tween
+
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
+REFERENCE = sorted((DOCS / "api").glob("*.rst"))
+PAGES = sorted(path for path in DOCS.rglob("*.rst") if path.parent.name != "api")
+FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def name_of(path: Path) -> str:
+    """Return the path as the documentation spells it."""
+    return path.relative_to(DOCS).with_suffix("").as_posix()
+
+
+# The reference
+
+
+def documented(text: str) -> set[str]:
+    """Return the full names that the directives of a page document."""
+    names, module = set(), ""
+    for directive, argument in re.findall(r"^\.\. (currentmodule|auto\w+):: *(\S+)", text, re.MULTILINE):
+        if directive == "currentmodule":
+            module = argument
+        elif argument:
+            names.add(argument if argument.startswith("tween.") else f"{module}.{argument}")
+    return names
+
+
+@pytest.mark.parametrize("name", tween.__all__)
+def test_every_public_name_is_on_a_page_of_the_reference(name: str) -> None:
+    assert any(f"tween.{name}" in documented(page.read_text(encoding="utf-8")) for page in REFERENCE)
+
+
+@pytest.mark.parametrize("name", tween.__all__)
+def test_every_public_name_is_in_the_list_of_the_reference(name: str) -> None:
+    assert re.search(rf"^   {name}$", (DOCS / "api" / "index.rst").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", [path for path in REFERENCE if path.stem != "index"], ids=name_of)
+def test_every_page_of_the_reference_is_of_a_module_that_exists_and_is_listed(page: Path) -> None:
+    assert find_spec(f"tween.{page.stem}")
+    assert f"tween.{page.stem}" in documented(page.read_text(encoding="utf-8"))
+    assert re.search(rf"^   {page.stem}$", (DOCS / "api" / "index.rst").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+# The code
+
+
+class Block(NamedTuple):
+    """Code of a page, and the line at which it starts."""
+
+    kind: str
+    text: str
+    line: int
+    needs: tuple[str, ...] = ()
+
+
+BLOCK = re.compile(
+    r"^\.\. (?P<kind>code-block:: (?:python|console)|plot::) *\n"
+    r"(?P<options>(?:   :.*\n)*)\n"
+    r"(?P<text>(?:(?:   .*)?\n)+)",
+    re.MULTILINE,
+)
+
+
+def blocks(text: str) -> Iterator[Block]:
+    """Yield the code of a page: Python, Python that plots and knows nothing of the rest, or typed into a console."""
+    for found in BLOCK.finditer(text):
+        kind = found["kind"].removeprefix("code-block:: ").rstrip(":")
+        needs = tuple(re.findall(r"\bneeds-(\w+)", found["options"]))
+        yield Block(kind, dedent(found["text"]).strip("\n") + "\n", text.count("\n", 0, found.start("text")) + 1, needs)
+
+
+def run_python(block: Block, name: str, names: dict[str, Any]) -> list[str]:
+    """Run code as a script, or as a session whose answers are compared; return what went wrong."""
+    if ">>> " not in block.text:
+        exec(compile("\n" * (block.line - 1) + block.text, name, "exec"), names)
+        return []
+    complaints: list[str] = []
+    session = doctest.DocTestParser().get_doctest(block.text, names, name, name, block.line - 1)
+    doctest.DocTestRunner(verbose=False, optionflags=FLAGS).run(session, out=complaints.append, clear_globs=False)
+    names.update(session.globs)
+    return complaints
+
+
+def commands(text: str) -> list[tuple[str, str]]:
+    """Split what was typed into a console from what came back: "$ " starts a command, a backslash goes on with it."""
+    typed = re.split(r"^\$ ", text.replace("\\\n", " "), flags=re.MULTILINE)[1:]
+    return [(command.partition("\n")[0], command.partition("\n")[2]) for command in typed]
+
+
+def run_console(block: Block, capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """Run the commands of a console that are ours, and compare their answers where the page shows any."""
+    from tween.cli import main
+
+    complaints = []
+    for command, shown in commands(block.text):
+        words = shlex.split(command, comments=True)
+        if words[0] != "tween":
+            continue
+        capsys.readouterr()
+        main(words[1:])
+        came = "".join(capsys.readouterr())
+        if shown and not doctest.OutputChecker().check_output(shown, came, FLAGS):
+            complaints.append(f"{command}: shown is\n{shown}, but it answers\n{came}")
+    return complaints
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_the_code_of_a_page_does_what_the_page_shows(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {"__name__": "__main__"}  # where workers do not look for what is defined
+    complaints = []
+    for block in blocks(page.read_text(encoding="utf-8")):
+        if any(find_spec(package) is None for package in block.needs):
+            compile(block.text, name_of(page), "exec")
+        elif block.kind == "python":
+            complaints += run_python(block, f"{name_of(page)}.rst", names)
+        else:
+            complaints += run_console(block, capsys)
+        plt.close("all")
+    assert not complaints, "\n".join(complaints)
+
+
+def test_code_that_does_not_do_what_is_shown_is_seen() -> None:
+    page = "Text.\n\n.. code-block:: python\n\n   >>> 1 + 1\n   3\n\nText.\n\n"
+    page += ".. plot::\n   :context:\n\n   x = 1\n\n   y = x\n"
+    first, second = blocks(page)
+    assert (first.text, first.line) == (">>> 1 + 1\n3\n", 5)
+    assert (second.text, second.line) == ("x = 1\n\ny = x\n", 13)
+    assert len(run_python(first, "page", {})) == 1
+    names: dict[str, Any] = {}
+    assert run_python(second, "page", names) == []
+    assert names["y"] == 1
+
+
+def test_commands_are_told_from_their_answers() -> None:
+    text = "$ tween info a.csv\nyes\n1 crossing\n$ tween morph a \\\n    b -o c.gif\n"
+    (first, answer), (second, nothing) = commands(text)
+    assert (first, answer, nothing) == ("tween info a.csv", "yes\n1 crossing\n", "")
+    assert shlex.split(second) == ["tween", "morph", "a", "b", "-o", "c.gif"]
+
+
+# The built pages
+
+
+class Page(HTMLParser):
+    """What a built page refers to."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.anchors: set[str] = set()
+        self.links: set[str] = set()
+        self.loads: set[str] = set()
+        self.unresolved: set[str] = set()
+        self._open: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {key: value or "" for key, value in attrs}
+        self.anchors |= {given[key] for key in ("id", "name") if key in given}
+        if tag == "a" and "href" in given:
+            self.links.add(given["href"])
+        elif tag == "link" and given.get("rel") in {"stylesheet", "icon", "preload", "preconnect"}:
+            self.loads.add(given["href"])
+        if "src" in given:
+            self.loads.add(given["src"])
+        if tag == "a":
+            self._open.append(tag)
+        if tag == "code" and "xref" in given.get("class", "").split() and not self._open:
+            self.unresolved.add(self.get_starttag_text() or "")
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag == "a" and self._open:
+            self._open.pop()
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the documentation, warnings being errors."""
+    pytest.importorskip("sphinx", reason="needs the extra 'docs': pip install tween[docs]")
+    folder = tmp_path_factory.mktemp("docs")
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", str(DOCS), str(folder)]
+    env = {**os.environ, "PYTHONWARNINGS": "default"}
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def pages(folder: Path) -> dict[Path, Page]:
+    return {path.resolve(): Page(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.html"))}
+
+
+def link_faults(page: Path, found: dict[Path, Page]) -> list[str]:
+    """Name each link and each picture that leads nowhere in the built documentation."""
+    faults = []
+    for link in sorted(found[page].links | found[page].loads):
+        address, _, anchor = link.partition("#")
+        if re.match(r"\w+:", address):
+            continue
+        goal = (page.parent / address.partition("?")[0]).resolve() if address else page
+        if not goal.exists():
+            faults.append(f"{link}: no such file")
+        elif anchor and goal in found and anchor not in found[goal].anchors:
+            faults.append(f"{link}: no such place")
+    return faults
+
+
+@pytest.mark.slow
+def test_the_links_and_pictures_of_the_built_pages_exist(built: Path) -> None:
+    found = pages(built)
+    assert len(found) > 20
+    assert {str(page): faults for page in found if (faults := link_faults(page, found))} == {}
+
+
+@pytest.mark.slow
+def test_names_in_the_prose_are_names_of_the_reference(built: Path) -> None:
+    prose = [built / f"{name_of(page)}.html" for page in PAGES if page.stem != "inside"]
+    unresolved = {str(page): Page(page.read_text(encoding="utf-8")).unresolved for page in prose}
+    assert {page: names for page, names in unresolved.items() if names} == {}
+
+
+@pytest.mark.slow
+def test_the_built_pages_fetch_nothing(built: Path) -> None:
+    assert {load for page in pages(built).values() for load in page.loads if re.match(r"(\w+:)?//", load)} == set()
+    styles = "\n".join(path.read_text(encoding="utf-8") for path in built.rglob("*.css"))
+    assert re.findall(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//[^)\"']*", styles) == []
+
+
+def test_a_link_to_nowhere_is_seen(tmp_path: Path) -> None:
+    (tmp_path / "a.html").write_text('<p id="here"><a href="b.html#x">b</a><a href="#here">here</a><img src="c.png">')
+    (tmp_path / "b.html").write_text('<a href="https://example.org">out</a>')
+    found = pages(tmp_path.resolve())
+    assert link_faults(tmp_path.resolve() / "a.html", found) == ["b.html#x: no such place", "c.png: no such file"]
+    assert link_faults(tmp_path.resolve() / "b.html", found) == []
+
+
+def test_a_name_that_leads_nowhere_is_seen() -> None:
+    resolved = '<a href="api/curve.html"><code class="xref py py-obj"><span>tween.Curve</span></code></a>'
+    unresolved = '<code class="xref py py-obj docutils literal"><span>tween.Curvature</span></code>'
+    assert Page(resolved + "<code>plain</code>").unresolved == set()
+    assert len(Page(resolved + unresolved).unresolved) == 1
