@@ -1,4 +1,4 @@
-"""To be appended to tests/test_experiments.py; or a file of its own, tests/test_sensitivity.py."""
+"""What the verdict on Table 1 depends on, and the shortcut by which the study of Table 1 morphs to the disk."""
 
 import numpy as np
 import pandas as pd
