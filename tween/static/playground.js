@@ -1,0 +1,406 @@
+// The face of the playground: fields to draw in, choices, a slider, two plots.
+// Geometry is computed in Python (tween/sketch.py).  A field is `box` units wide and high, there and here, y up.
+
+export default { render };
+
+const INK = "#262626";
+
+function render({ model, el }) {
+  const { box, colors } = model.get("setup");
+  const ui = layout(model.get("setup"));
+  const strokes = { source: null, target: null }; // what is being drawn
+  let frame = 0;
+  let timer = null;
+  el.append(ui.root);
+
+  const ask = (options, shapes = {}) => {
+    const before = model.get("options");
+    ui.root.classList.add("tween-busy");
+    model.set("options", { ...before, ...options, asked: before.asked + 1 });
+    for (const [which, shape] of Object.entries(shapes)) model.set(which, shape);
+    model.save_changes();
+  };
+  const anyRoot = { root: "disk-center" }; // a number belongs to the triangles that there were
+
+  // Shapes
+
+  const showField = (which) => {
+    const shape = model.get("shapes")[which];
+    const ctx = surface(ui[which].canvas, box, box);
+    const color = shape.ok ? colors[which] : colors.failure;
+    if (strokes[which]) return drawStroke(ctx, strokes[which], colors[which]);
+    fill(ctx, shape.points, shape.triangles, () => color);
+    outline(ctx, shape.points, color, 1.6);
+  };
+  const showShapes = () => {
+    for (const which of ["source", "target"]) {
+      const shape = model.get("shapes")[which];
+      tell(ui[which].words, shape.words, shape.points.length > 0, shape.ok);
+      ui[which].select.value = model.get(which).name || "draw";
+      showField(which);
+    }
+  };
+  for (const which of ["source", "target"]) {
+    ui[which].select.onchange = () => ask(anyRoot, { [which]: { name: ui[which].select.value } });
+    followPointer(ui[which].canvas, box, {
+      move: (stroke) => (strokes[which] = stroke),
+      end: (stroke) => {
+        strokes[which] = null;
+        if (stroke.length > 2) ask(anyRoot, { [which]: { stroke } });
+      },
+      show: () => showField(which),
+    });
+  }
+
+  // The morph
+
+  const showFrame = () => {
+    const film = model.get("film");
+    const last = film.frames.length - 1;
+    frame = Math.max(0, Math.min(frame, last));
+    ui.slider.max = Math.max(1, last);
+    ui.slider.value = frame;
+    ui.slider.disabled = ui.play.disabled = last < 1;
+    ui.time.textContent = last < 1 ? "" : `t = ${(frame / last).toFixed(2)}`;
+    drawFrame(surface(ui.morph.canvas, box, box), film, frame, colors);
+    drawAreas(surface(ui.areas.canvas), film, frame);
+    drawSums(surface(ui.sums.canvas), film, frame, colors);
+    ui.areas.words.textContent = last < 1 ? "" : areasInWords(film.areas[frame]);
+    ui.sums.words.textContent = last < 1 ? "" : sumsInWords(film.sums[frame], film.worst[frame]);
+  };
+  const showMorph = () => {
+    const film = model.get("film");
+    ui.root.classList.toggle("tween-busy", film.asked !== model.get("options").asked);
+    tell(ui.morph.words, film.words, film.frames.length > 0, film.valid);
+    showFrame();
+  };
+  const stop = () => {
+    clearInterval(timer);
+    timer = null;
+    ui.play.textContent = "▶";
+  };
+  const step = () => {
+    if (frame + 1 >= model.get("film").frames.length) return stop();
+    frame += 1;
+    showFrame();
+  };
+  ui.play.onclick = () => {
+    if (timer) return stop();
+    if (frame + 1 >= model.get("film").frames.length) frame = -1;
+    timer = setInterval(step, 40);
+    ui.play.textContent = "❚❚";
+  };
+  ui.slider.oninput = () => {
+    stop();
+    frame = Number(ui.slider.value);
+    showFrame();
+  };
+  ui.morph.canvas.onclick = (event) => {
+    const root = triangleAt(model.get("film"), frame, placeOf(event, ui.morph.canvas, box));
+    if (root >= 0) ask({ root });
+  };
+
+  // Choices
+
+  const showOptions = () => {
+    const { path, triangulation, root, guarantee } = model.get("options");
+    const number = typeof root === "number";
+    ui.path.value = path;
+    ui.triangulation.value = triangulation;
+    ui.again.hidden = triangulation !== "random";
+    ui.numbered.hidden = !number;
+    ui.numbered.textContent = `triangle ${root}`;
+    ui.spread.value = number ? "number" : root;
+    ui.guarantee.checked = guarantee;
+  };
+  ui.path.onchange = () => ask({ path: ui.path.value });
+  ui.triangulation.onchange = () => ask({ ...anyRoot, triangulation: ui.triangulation.value });
+  ui.again.onclick = () => ask({ ...anyRoot, seed: model.get("options").seed + 1 });
+  ui.spread.onchange = () => ask({ root: ui.spread.value });
+  ui.guarantee.onchange = () => ask({ guarantee: ui.guarantee.checked });
+
+  // Files
+
+  const wish = (where) => {
+    ui.message.textContent = "Saving …";
+    model.set("wish", { kind: ui.kind.value, where, asked: (model.get("wish").asked || 0) + 1 });
+    model.save_changes();
+  };
+  ui.save.onclick = () => wish("folder");
+  ui.download.onclick = () => wish("browser");
+  const showFile = () => {
+    const { name, data, words } = model.get("file");
+    ui.message.textContent = words;
+    if (data) offer(name, data);
+  };
+
+  const listeners = { shapes: showShapes, film: showMorph, options: showOptions, file: showFile };
+  for (const [name, show] of Object.entries(listeners)) model.on(`change:${name}`, show);
+  const watcher = new ResizeObserver(() => (showShapes(), showFrame()));
+  watcher.observe(ui.root);
+  showOptions();
+  showMorph();
+  return () => {
+    stop();
+    watcher.disconnect();
+    for (const [name, show] of Object.entries(listeners)) model.off(`change:${name}`, show);
+  };
+}
+
+// What is on the page
+
+function make(tag, properties = {}, ...children) {
+  const node = Object.assign(document.createElement(tag), properties);
+  node.append(...children);
+  return node;
+}
+
+function layout(setup) {
+  const options = (entries) => entries.map(([value, text, title = ""]) => make("option", { value, title }, text || value));
+  const group = (label, entries) => make("optgroup", { label }, ...options(entries));
+  const shapes = (own) => {
+    const letters = setup.letters.map((letter) => [letter]);
+    const curves = setup.curves.map(([name, title]) => [name, name.replaceAll("_", " "), title]);
+    return make("select", {}, ...options(own), group("gallery", curves), group("letters", letters));
+  };
+  const panel = (name, title, hint = "", head = "") => {
+    const canvas = make("canvas");
+    const words = make("p", { className: "tween-words" });
+    words.setAttribute("role", "status");
+    canvas.setAttribute("aria-label", title);
+    const heading = make("header", {}, make("b", {}, title), make("small", {}, hint), head);
+    return { canvas, words, select: head, box: make("section", { className: `tween-${name}` }, heading, canvas, words) };
+  };
+  const own = [["draw", "draw it"], ...(setup.given ? [["given", "the given curve"]] : [])];
+  const numbered = make("option", { value: "number" });
+  const ui = {
+    source: panel("source", "From", "draw, or choose", shapes(own)),
+    morph: panel("morph", "On the way", "", make("output")),
+    target: panel("target", "To", "draw, or choose", shapes([["disk", "the disk"], ...own])),
+    areas: panel("areas", "Areas of the triangles"),
+    sums: panel("sums", "Largest sum of angles at a vertex"),
+    play: make("button", { className: "tween-play", title: "play", textContent: "▶" }),
+    slider: make("input", { type: "range", min: 0, step: 1, className: "tween-slider", ariaLabel: "time" }),
+    path: make("select", {}, ...options(setup.paths)),
+    triangulation: make("select", {}, ...options(setup.triangulations)),
+    again: make("button", { textContent: "another" }),
+    spread: make("select", {}, ...options(setup.roots), numbered),
+    guarantee: make("input", { type: "checkbox" }),
+    kind: make("select", { ariaLabel: "kind of file" }, ...options(setup.kinds)),
+    save: make("button", { className: "tween-save", textContent: "Save here" }),
+    download: make("button", { className: "tween-download", textContent: "Download" }),
+    message: make("output", { className: "tween-message" }),
+    numbered,
+  };
+  ui.time = ui.morph.select;
+  const row = (name, ...nodes) => make("label", { title: setup.help[name] }, make("span", {}, name), ...nodes);
+  const choices = make(
+    "section",
+    { className: "tween-choices" },
+    row("path", ui.path),
+    row("triangles", ui.triangulation, ui.again),
+    row("root", ui.spread),
+    row("guarantee", ui.guarantee),
+  );
+  const scrub = make("div", { className: "tween-scrub" }, ui.play, ui.slider);
+  const files = make("footer", {}, ui.kind, ui.save, ui.download, ui.message);
+  const top = [ui.source.box, ui.morph.box, ui.target.box];
+  const grid = (...nodes) => make("div", { className: "tween-grid" }, ...nodes);
+  ui.root = make("div", { className: "tween-playground" });
+  ui.root.append(grid(...top), scrub, grid(choices, ui.areas.box, ui.sums.box), files);
+  // Or JupyterLab takes the keys: an arrow would move to another cell.
+  for (const node of ui.root.querySelectorAll("input, select, button")) node.dataset.lmSuppressShortcuts = "true";
+  for (const [name, color] of Object.entries(setup.colors)) ui.root.style.setProperty(`--tween-${name}`, color);
+  return ui;
+}
+
+function tell(node, words, known, good) {
+  node.textContent = words;
+  node.dataset.verdict = known ? (good ? "yes" : "no") : "";
+}
+
+function offer(name, data) {
+  const url = URL.createObjectURL(new Blob([data]));
+  make("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+// The pointer: mouse, pen or finger
+
+function placeOf(event, canvas, box) {
+  const { left, bottom, width, height } = canvas.getBoundingClientRect();
+  return [Math.round(((event.clientX - left) / width) * box), Math.round(((bottom - event.clientY) / height) * box)];
+}
+
+function followPointer(canvas, box, { move, end, show }) {
+  let stroke = null;
+  canvas.onpointerdown = (event) => {
+    if (event.button || !event.isPrimary) return;
+    canvas.setPointerCapture(event.pointerId);
+    stroke = [placeOf(event, canvas, box)];
+    event.preventDefault();
+  };
+  canvas.onpointermove = (event) => {
+    if (!stroke || !event.isPrimary) return;
+    const events = event.getCoalescedEvents?.() ?? [];
+    for (const each of events.length ? events : [event]) stroke.push(placeOf(each, canvas, box));
+    move(stroke);
+    show();
+  };
+  canvas.onpointerup = canvas.onpointercancel = (event) => {
+    if (!stroke || !event.isPrimary) return;
+    end(stroke);
+    stroke = null;
+    show();
+  };
+}
+
+// Drawing
+
+function surface(canvas, width = canvas.clientWidth, height = canvas.clientHeight) {
+  const sharp = window.devicePixelRatio || 1;
+  canvas.width = canvas.clientWidth * sharp;
+  canvas.height = canvas.clientHeight * sharp;
+  const ctx = canvas.getContext("2d");
+  ctx.setTransform(canvas.width / width, 0, 0, -canvas.height / height, 0, canvas.height);
+  ctx.lineJoin = ctx.lineCap = "round";
+  return Object.assign(ctx, { pixel: width / canvas.clientWidth, size: [width, height] });
+}
+
+function trace(ctx, points, indices) {
+  ctx.beginPath();
+  for (const i of indices) ctx.lineTo(points[2 * i], points[2 * i + 1]);
+}
+
+function fill(ctx, points, triangles, color) {
+  // Layers add up: no seam within one, and where two overlap it is darker.
+  ctx.globalCompositeOperation = "lighter";
+  ctx.globalAlpha = 0.3;
+  for (let i = 0; i < triangles.length; i += 3) {
+    ctx.fillStyle = color(i / 3);
+    trace(ctx, points, triangles.slice(i, i + 3));
+    ctx.fill();
+  }
+  ctx.globalCompositeOperation = "source-over";
+  ctx.globalAlpha = 1;
+}
+
+function outline(ctx, points, color, width) {
+  trace(ctx, points, Array.from({ length: points.length / 2 }, (_, i) => i));
+  ctx.closePath();
+  ctx.strokeStyle = color;
+  ctx.lineWidth = width * ctx.pixel;
+  ctx.stroke();
+}
+
+function dot(ctx, [x, y], color, radius) {
+  ctx.beginPath();
+  ctx.arc(x, y, radius * ctx.pixel, 0, 7);
+  ctx.fillStyle = color;
+  ctx.fill();
+}
+
+function drawStroke(ctx, stroke, color) {
+  line(ctx, stroke, color, 1.6);
+  dot(ctx, stroke[0], color, 3.5);
+}
+
+function drawFrame(ctx, film, f, colors) {
+  if (!film.frames.length) return;
+  const points = film.frames[f];
+  const triangles = film.stages[film.stage[f]];
+  fill(ctx, points, triangles, (i) => film.colors[i]);
+  ctx.strokeStyle = "rgb(115 115 115 / 45%)";
+  ctx.lineWidth = 0.5 * ctx.pixel;
+  for (let i = 0; i < triangles.length; i += 3) {
+    trace(ctx, points, [...triangles.slice(i, i + 3), triangles[i]]);
+    ctx.stroke();
+  }
+  outline(ctx, points, INK, 1.2);
+  if (film.root >= 0) dot(ctx, middle(points, triangles, film.root), colors.pivot, 3.5);
+  const v = film.worst[f];
+  if (film.sums[f] >= 2 * Math.PI) dot(ctx, [points[2 * v], points[2 * v + 1]], colors.failure, 3.5);
+}
+
+function middle(points, triangles, i) {
+  const mean = (axis) => [0, 1, 2].reduce((sum, s) => sum + points[2 * triangles[3 * i + s] + axis] / 3, 0);
+  return [mean(0), mean(1)];
+}
+
+function triangleAt(film, f, [x, y]) {
+  if (!film.frames.length) return -1;
+  const points = film.frames[f];
+  const triangles = film.stages[film.stage[f]];
+  const left = (i, j) =>
+    (points[2 * j] - points[2 * i]) * (y - points[2 * i + 1]) -
+      (points[2 * j + 1] - points[2 * i + 1]) * (x - points[2 * i]) >= 0;
+  for (let i = triangles.length / 3 - 1; i >= 0; i -= 1) {
+    const [a, b, c] = triangles.slice(3 * i, 3 * i + 3);
+    if (left(a, b) && left(b, c) && left(c, a)) return i;
+  }
+  return -1;
+}
+
+// Plots
+
+const percent = (share) => `${(share / 100).toFixed(1)} %`;
+
+function areasInWords(areas) {
+  const total = areas.reduce((sum, area) => sum + area, 0);
+  return `largest ${percent(Math.max(...areas))}, all ${percent(total)} of the first shape`;
+}
+
+function sumsInWords(sum, vertex) {
+  return `${(sum / Math.PI).toFixed(3)} π at vertex ${vertex}; from 2 π on it is no disk`;
+}
+
+function drawAreas(ctx, film, f) {
+  if (!film.frames.length) return;
+  const [width, height] = ctx.size;
+  const top = roundUp(Math.max(...film.areas[f]));
+  const step = width / film.order.length;
+  film.order.forEach((triangle, place) => {
+    ctx.fillStyle = film.colors[triangle];
+    ctx.fillRect(place * step, 0, Math.max(step - 0.6, 0.6), (film.areas[f][triangle] / top) * (height - 16));
+  });
+  line(ctx, [[0, height - 16], [width, height - 16]], "#d0d0d0", 1);
+  label(ctx, `${top / 100} %`, [width, height - 12], "#595959");
+}
+
+function roundUp(number) {
+  const power = 10 ** Math.floor(Math.log10(Math.max(number, 1)));
+  return power * [1, 2, 3, 5, 10].find((digit) => digit * power >= number);
+}
+
+function drawSums(ctx, film, f, colors) {
+  if (!film.frames.length) return;
+  const [width, height] = ctx.size;
+  const limit = 2 * Math.PI;
+  const last = film.sums.length - 1;
+  const least = Math.min(...film.sums, 0.75 * limit);
+  const most = Math.max(...film.sums, limit);
+  const place = (i, sum) => [4 + (i / last) * (width - 8), 6 + ((sum - least) / (most - least)) * (height - 22)];
+  line(ctx, [place(0, limit), place(last, limit)], colors.failure, 1);
+  label(ctx, "2 π", [width, place(0, limit)[1] + 4], colors.failure);
+  line(ctx, film.sums.map((sum, i) => place(i, sum)), INK, 1.4);
+  dot(ctx, place(f, film.sums[f]), film.sums[f] < limit ? INK : colors.failure, 3.5);
+}
+
+function line(ctx, places, color, width) {
+  ctx.strokeStyle = color;
+  ctx.lineWidth = width * ctx.pixel;
+  ctx.beginPath();
+  for (const [x, y] of places) ctx.lineTo(x, y);
+  ctx.stroke();
+}
+
+function label(ctx, text, [x, y], color) {
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.scale(1, -1); // letters are drawn y down
+  ctx.font = "11px system-ui, sans-serif";
+  ctx.textAlign = "right";
+  ctx.fillStyle = color;
+  ctx.fillText(text, 0, 0);
+  ctx.restore();
+}
