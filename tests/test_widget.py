@@ -408,15 +408,19 @@ def test_an_answer_is_sent_even_if_it_is_the_same(alive: Any) -> None:
     assert seen[0]["words"] == seen[1]["words"] and seen[2]["words"] == seen[3]["words"]
 
 
-def test_verdicts_come_before_the_morph_and_are_not_repeated(alive: Any) -> None:
-    seen = []
+def test_verdicts_come_before_the_morph_and_nothing_is_computed_twice(
+    alive: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[Any] = []
+    move = alive.sketch.move
+    monkeypatch.setattr(alive.sketch, "move", lambda options: (seen.append("move"), move(options))[1])
     alive.observe(lambda change: seen.append(change.name), names=["shapes", "film"])
     alive.source = {"name": "ess"}
     alive.options = {"path": "linear"}
     with alive.hold_trait_notifications():  # as one message from the browser does
         alive.source = {"name": "ell"}
         alive.options = {"path": "slide"}
-    assert seen == ["shapes", "film", "film", "shapes", "film"]
+    assert seen == ["shapes", "move", "film", "move", "film", "shapes", "move", "film"]
 
 
 def test_a_file_goes_to_the_current_folder(alive: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -184,7 +184,7 @@ class Sketch:
 
     def _morph(self, triangulation: str, seed: int, **options: Any) -> Morph:
         if triangulation not in TRIANGULATIONS:
-            raise FileError(f"triangulation is {triangulation!r}, expected one of {', '.join(TRIANGULATIONS)}")
+            raise ValueError(f"triangulation is {triangulation!r}, expected one of {', '.join(TRIANGULATIONS)}")
         rng = np.random.default_rng(seed) if triangulation == "random" else None
         first = _triangulated(self.source, rng)
         if self.target.disk:
@@ -248,7 +248,7 @@ def in_words(error: Exception) -> str:
     >>> in_words(FileError("there is no morph to save yet")), in_words(KeyError("kind"))
     ('there is no morph to save yet', "KeyError: 'kind'")
     """
-    return str(error) if isinstance(error, TweenError) else f"{type(error).__name__}: {error}"
+    return str(error) if isinstance(error, TweenError | ValueError) else f"{type(error).__name__}: {error}"
 
 
 def _unused(path: Path) -> Path:

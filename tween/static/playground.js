@@ -4,6 +4,7 @@
 export default { render };
 
 const INK = "#262626";
+const COMPILING = "Computing …  What is done for the first time is compiled first; that may take a minute.";
 
 function render({ model, el }) {
   const { box, colors } = model.get("setup");
@@ -11,6 +12,7 @@ function render({ model, el }) {
   const strokes = { source: null, target: null }; // what is being drawn
   let frame = 0;
   let timer = null;
+  let patience = null;
   el.append(ui.root);
 
   const ask = (options, shapes = {}) => {
@@ -19,6 +21,8 @@ function render({ model, el }) {
     model.set("options", { ...before, ...options, asked: before.asked + 1 });
     for (const [which, shape] of Object.entries(shapes)) model.set(which, shape);
     model.save_changes();
+    clearTimeout(patience);
+    patience = setTimeout(() => tell(ui.morph.words, COMPILING, false), 2500);
   };
   const anyRoot = { root: "disk-center" }; // a number belongs to the triangles that there were
 
@@ -70,7 +74,9 @@ function render({ model, el }) {
   };
   const showMorph = () => {
     const film = model.get("film");
-    ui.root.classList.toggle("tween-busy", film.asked !== model.get("options").asked);
+    if (film.asked !== model.get("options").asked) return;
+    clearTimeout(patience);
+    ui.root.classList.remove("tween-busy");
     tell(ui.morph.words, film.words, film.frames.length > 0, film.valid);
     showFrame();
   };
@@ -142,6 +148,7 @@ function render({ model, el }) {
   showMorph();
   return () => {
     stop();
+    clearTimeout(patience);
     watcher.disconnect();
     for (const [name, show] of Object.entries(listeners)) model.off(`change:${name}`, show);
   };
