@@ -1,6 +1,7 @@
 """Run every notebook from top to bottom and keep its outputs in the file."""
 
 import sys
+from typing import Any
 
 import nbformat
 from nbclient import NotebookClient
@@ -19,8 +20,21 @@ def execute(text: str) -> str:
     client.execute()
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
+        if cell.cell_type == "code":
+            cell.outputs = joined(cell.outputs)
     notebook.metadata = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
     return nbformat.writes(notebook) + "\n"
+
+
+def joined(outputs: list[Any]) -> list[Any]:
+    """Join what was printed in parts: how a kernel cuts its stream depends on the time between two prints."""
+    result: list[Any] = []
+    for output in outputs:
+        if result and output.output_type == "stream" == result[-1].output_type and output.name == result[-1].name:
+            result[-1].text += output.text
+        else:
+            result.append(output)
+    return result
 
 
 def main() -> int:

@@ -1,7 +1,7 @@
 """A playground: draw a curve by hand, see whether it bounds an immersed disk, morph it, take it with you.
 
 A widget where there is a front end to show it, a picture elsewhere.  What it does is in `tween.sketch`; its face is
-static/playground.js and .css, which compute nothing but where the pointer is.
+static/, whose scripts compute nothing but where the pointer is.
 """
 
 import importlib.util
@@ -121,8 +121,8 @@ def _widget() -> Any:
     import traitlets
 
     class Playground(anywidget.AnyWidget):
-        _esm = (_STATIC / "playground.js").read_text(encoding="utf-8")
-        _css = (_STATIC / "playground.css").read_text(encoding="utf-8")
+        _esm = _face("playground.js", "drawing.js")
+        _css = _face("playground.css")
         setup = traitlets.Dict().tag(sync=True)
         # From the browser.  Each says all that there is to say, so that none may be lost when they come fast.
         source = traitlets.Dict().tag(sync=True)
@@ -164,6 +164,11 @@ def _widget() -> Any:
             return f"A playground, alive in JupyterLab.\n{_INSTRUCTIONS}"
 
     return Playground
+
+
+def _face(*names: str) -> str:
+    """The text of files of the folder static, one after the other."""
+    return "\n".join((_STATIC / name).read_text(encoding="utf-8") for name in names)
 
 
 def _setup(sketch: Sketch) -> dict[str, Any]:
