@@ -1,7 +1,7 @@
 """A playground: draw a curve by hand, see whether it bounds an immersed disk, morph it, take it with you.
 
-A widget where there is a front end to show it, a picture elsewhere.  What it does is in `tween.sketch`; its face is
-static/, whose scripts compute nothing but where the pointer is.
+A widget where there is a front end to show it, a picture elsewhere.  What it does is in `tween.sketch`; its
+face, in static/, computes nothing but where the pointer is.
 """
 
 import importlib.util
