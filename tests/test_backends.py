@@ -1,8 +1,11 @@
 """A study runs through joblib, so any backend of joblib's takes it: threads, processes, a cluster."""
 
+import pickle
+
 import joblib
 import pytest
 
+import tween
 from experiments import store
 from experiments.store import compute
 from tween import decompose, gallery
@@ -15,6 +18,7 @@ def work(name: str) -> int:
 
 NAMES = ["ell", "two_disks", "five_disks", "horseshoe"]
 EXPECTED = [1, 2, 5, 1]
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 @pytest.fixture(autouse=True)
@@ -26,6 +30,13 @@ def own_checkpoints(tmp_path, monkeypatch) -> None:
 def test_backends_of_joblib_give_the_same_results_in_the_same_order(backend: str) -> None:
     with joblib.parallel_config(backend=backend):
         assert compute("backends", {"backend": backend}, NAMES, work) == EXPECTED
+
+
+def test_the_package_itself_can_be_sent_to_workers() -> None:
+    copy = pickle.loads(pickle.dumps(tween))
+    assert copy is tween
+    count = joblib.Parallel(n_jobs=2)(joblib.delayed(lambda name: len(tween.Curve(SQUARE)))(name) for name in "ab")
+    assert count == [4, 4]
 
 
 def test_so_does_a_dask_cluster() -> None:

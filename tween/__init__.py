@@ -63,6 +63,9 @@ class _Package(ModuleType):
         if not (name in _MODULE and isinstance(value, ModuleType)):
             super().__setattr__(name, value)
 
+    def __reduce__(self) -> tuple[Any, ...]:  # workers get the module by its name, as any other
+        return import_module, (self.__name__,)
+
 
 sys.modules[__name__].__class__ = _Package
 
