@@ -1,20 +1,28 @@
-r"""Reducing a curve with few crossings to a small one, and restoring what was removed in its triangulations.
+r"""Reducing a curve to a smaller one that bounds the same disks, and restoring what was removed in triangulations.
 
-Let v have the neighbours a and b on the curve.  v may be removed when no other edge meets its two edges and the
-closed triangle of a, v, b holds no other vertex:
+Let v have the neighbours a and b on the curve.  v may be removed when the closed triangle of a, v, b holds no other
+vertex, and the turn at v is
 
-    ear    a left turn at v: the triangle a v b belongs to every disk that the curve bounds; cut it off
-    dent   a right turn: the triangle a b v lies outside, at the left of the new edge; glue it on, and v becomes
-           a point inside the disk
+    left   an ear: the triangle a v b belongs to every disk that the curve bounds; cut it off
+    right  a dent, and no other edge meets av or vb: the triangle a b v lies outside, at the left of the new edge;
+           glue it on, and v becomes a point inside the disk
                                 v
               a ---- b         / \          The immersed disks of the curve before and after
-               \    /         /   \         correspond one to one, and the new edge ab meets no other edge.
+               \    /         /   \         correspond one to one.
                 `v'          a --- b
                ear (inside above)  dent (inside above)
 
-What is left has about as many vertices as there are edges that meet others.  In reverse order an ear is glued on
-again; a dent is cut out of the triangulation: the triangles that meet a b v form a chain from the edge ab to v,
-and the two polygons beside the dent are triangulated anew, by Delaunay triangles.
+An ear may well be crossed by edges in other sheets.  For sweep it, inside a disk, by a segment parallel to ab, from v
+on: its ends slide along the two edges, so only a vertex could stop it.  Where the curve goes on from a or b into the
+triangle there is no disk, then, and none after the cut, which leaves a turning number below 1; and n-2 triangles have
+too small a sum of angles for that.  Of a dent, swept by a growing triangle a b x inside a disk of the reduced curve,
+the corner x could be stopped by an edge that crosses both sides; hence the stricter condition.  What meets ab meets av
+or vb, so an edge once met by none is never met later.
+
+What is left has at most about as many vertices as there are edges that meet others; where a curve crosses itself a few
+times, however finely it is drawn, that is next to nothing.  In reverse order an ear is glued on again; a dent is cut
+out of the triangulation: the triangles that meet a b v form a chain from the edge ab to v, and the two polygons beside
+the dent are triangulated anew, by Delaunay triangles.
 
 Legend: ``a v b`` neighbours on the curve; ``t s`` triangle and slot, ``h = 3 t + s`` half-edge; ``p q z`` left and
 right end of the edge by which the chain enters a triangle, and the triangle's third vertex.
@@ -81,10 +89,9 @@ def reduce_curve(curve: Curve) -> Reduction:
     >>> len(reduce_curve(Curve(np.stack([np.cos(angle), np.sin(angle)], axis=1))).kept)
     3
     """
-    free = np.ones(len(curve), dtype=np.bool_)
-    free[curve.crossings.pairs.ravel()] = False
-    kept, removed, dents = _reduce(curve.points, free)
-    return Reduction(kept, removed, dents)
+    crossed = np.zeros(len(curve), dtype=np.bool_)
+    crossed[curve.crossings.pairs.ravel()] = True
+    return Reduction(*_reduce(curve.points, crossed))
 
 
 def restore(points: NDArray[np.float64], reduction: Reduction, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -118,7 +125,7 @@ def restore(points: NDArray[np.float64], reduction: Reduction, triangles: NDArra
 
 
 @njit(cache=True)
-def _reduce(points, free):
+def _reduce(points, crossed):
     n = len(points)
     after, before = (np.arange(n) + 1) % n, (np.arange(n) - 1) % n
     alive = np.ones(n, np.bool_)
@@ -130,7 +137,8 @@ def _reduce(points, free):
         while steps > 0 and left > 3:
             a, b = before[v], after[v]
             side = turn(points, a, v, b)
-            if free[a] and free[v] and _is_empty(points, alive, grid, a, v, b, side):
+            if (side >= 0 or not (crossed[a] or crossed[v])) and _is_empty(points, alive, grid, a, v, b, side):
+                crossed[a] |= crossed[v]
                 removed[count], dents[count] = (a, v, b), side <= 0
                 alive[v] = False
                 after[a], before[b] = b, a

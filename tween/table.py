@@ -2,6 +2,11 @@
 
 The table keeps, for every vertex i, the list of j for which the pair (i, j) holds, see
 `tween.decomposition` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
+
+Pairs that no triangulation of the whole curve can use are not worth keeping.  Its turning number is 1, so the
+triangles at a vertex fill the curve's interior angle there, which is less than 2 pi; hence a diagonal leaves
+either of its ends through that angle.  Where it would not, the pair is left out: of a random disk of 2,000
+vertices two thirds of the pairs.
 """
 
 import math
@@ -22,6 +27,29 @@ def _left_turn(points, i, k, j):
 
 
 @njit(cache=True)
+def _reflex(points):
+    """Whether the turn at each vertex of each curve is a right turn, shape (c, n)."""
+    curves, n = points.shape[:2]
+    reflex = np.empty((curves, n), np.bool_)
+    for c in range(curves):
+        for i in range(n):
+            reflex[c, i] = turn(points[c], i - 1, i, (i + 1) % n) < 0
+    return reflex
+
+
+@njit(cache=True)
+def _leaves_inwards(points, reflex, i, j):
+    """Whether the segment from i to j leaves i through the interior angle, in every curve."""
+    n = points.shape[1]
+    before, after = (i - 1) % n, (i + 1) % n
+    for c in range(points.shape[0]):
+        past_after, ahead_of_before = turn(points[c], i, after, j) > 0, turn(points[c], i, j, before) > 0
+        if not ((past_after or ahead_of_before) if reflex[c, i] else (past_after and ahead_of_before)):
+            return False
+    return True
+
+
+@njit(cache=True)
 def find_pairs(points, most):
     """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first.
 
@@ -29,18 +57,19 @@ def find_pairs(points, most):
     """
     n = points.shape[1]
     single, x, y = points.shape[0] == 1, points[0, :, 0].copy(), points[0, :, 1].copy()
+    reflex = _reflex(points)
     first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
     ends = np.empty(8 * n, np.int32)
     size = 0
-    holds_for = np.full(n, -1, np.int64)
+    decided_for, holds = np.full(n, -1, np.int64), np.zeros(n, np.bool_)
     for i in range(n - 2, -1, -1):
         first[i] = size
-        holds_for[i + 1] = i
+        decided_for[i + 1], holds[i + 1] = i, True
         farthest = i + 1
         for k in range(i + 1, n):
             if k > farthest:
                 break
-            if holds_for[k] != i:
+            if decided_for[k] != i or not holds[k]:
                 continue
             if size == ends.size:
                 ends = np.concatenate((ends, np.empty_like(ends)))
@@ -48,11 +77,16 @@ def find_pairs(points, most):
             size += 1
             for place in range(first[k], last[k]):
                 j = ends[place]
-                if holds_for[j] == i:
+                if decided_for[j] == i:
                     continue
                 if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else _left_turn(points, i, k, j):
-                    holds_for[j] = i
-                    farthest = max(farthest, j)
+                    is_edge = i == 0 and j == n - 1
+                    decided_for[j] = i
+                    holds[j] = is_edge or (
+                        _leaves_inwards(points, reflex, i, j) and _leaves_inwards(points, reflex, j, i)
+                    )
+                    if holds[j]:
+                        farthest = max(farthest, j)
         last[i] = size
         if size > most:
             break
