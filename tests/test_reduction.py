@@ -102,6 +102,14 @@ def test_a_dent_through_which_an_edge_runs_stays(monkeypatch: pytest.MonkeyPatch
     assert not decompose(pierced)
 
 
+def test_a_spike_that_an_ear_leaves_behind_is_not_smoothed_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    # (-2, 0) lies on the edge above (-2, -5), so cutting off (-5, -3) folds the curve back on itself.
+    half = [[-4, 5], [-2, 0], [-5, -3], [-2, -5], [-2, 4]]
+    curve = [[4, 5], *half, *([-x, y] for x, y in half[:0:-1])]
+    agree(*both(curve, monkeypatch))
+    assert not decompose(curve)
+
+
 def test_a_spiral_of_twenty_thousand_vertices_needs_no_table() -> None:
     angle = np.linspace(0, 10 * np.pi, 10_000)
     line = (1 + 0.12 * angle)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)

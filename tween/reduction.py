@@ -14,10 +14,10 @@ vertex, and the turn at v is
 
 An ear may well be crossed by edges in other sheets.  For sweep it, inside a disk, by a segment parallel to ab, from v
 on: its ends slide along the two edges, so only a vertex could stop it.  Where the curve goes on from a or b into the
-triangle there is no disk, then, and none after the cut, which leaves a turning number below 1; and n-2 triangles have
-too small a sum of angles for that.  Of a dent, swept by a growing triangle a b x inside a disk of the reduced curve,
-the corner x could be stopped by an edge that crosses both sides; hence the stricter condition.  What meets ab meets av
-or vb, so an edge once met by none is never met later.
+triangle there is no disk, then, and none after the cut, which leaves a turning number below 1, or a spike; and n-2
+triangles have too small a sum of angles for that.  Of a dent, swept by a growing triangle a b x inside a disk of the
+reduced curve, the corner x could be stopped by an edge that crosses both sides; hence the stricter condition.  What
+meets ab meets av or vb, so an edge once met by none is never met later.
 
 What is left has at most about as many vertices as there are edges that meet others; where a curve crosses itself a few
 times, however finely it is drawn, that is next to nothing.  In reverse order an ear is glued on again; a dent is cut
@@ -137,7 +137,7 @@ def _reduce(points, crossed):
         while steps > 0 and left > 3:
             a, b = before[v], after[v]
             side = turn(points, a, v, b)
-            if (side >= 0 or not (crossed[a] or crossed[v])) and _is_empty(points, alive, grid, a, v, b, side):
+            if _may_go(points, crossed, a, v, b, side) and _is_empty(points, alive, grid, a, v, b, side):
                 crossed[a] |= crossed[v]
                 removed[count], dents[count] = (a, v, b), side <= 0
                 alive[v] = False
@@ -149,6 +149,15 @@ def _reduce(points, crossed):
         if found == 0:
             break
     return np.flatnonzero(alive), removed[:count].copy(), dents[:count].copy()
+
+
+@njit(cache=True)
+def _may_go(points, crossed, a, v, b, side):
+    """Whether v is the tip of an ear or of a dent that nothing meets, or lies on ab; not the tip of a spike."""
+    if side != 0:
+        return side > 0 or not (crossed[a] or crossed[v])
+    (ax, ay), (vx, vy), (bx, by) = points[a], points[v], points[b]
+    return min(ax, bx) <= vx <= max(ax, bx) and min(ay, by) <= vy <= max(ay, by)
 
 
 @njit(cache=True)
