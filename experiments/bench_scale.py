@@ -1,5 +1,6 @@
 """Time recognition, triangulation and morphs from 1,000 to 100,000 vertices, beside peers in one process.
 
+Times are no result that `make reproduce` could find again, so results/scaling.csv changes only when one says so.
 The peer for triangulation is pythoncdt (C++, constrained Delaunay triangulation of a simple polygon of the same size),
 where it is installed: `pip install tween[bench]`.  That for morphs is numpy's straight-line interpolation.
 """
@@ -13,15 +14,21 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from experiments.bench import SEED, Timing, report, seconds, spiral_strip
+from experiments.store import RESULTS, write_csv
 from tween import Curve, Triangulation, decompose, gallery, morph, triangulate
+from tween.reduction import reduce_curve
 
 cdt: Any = import_module("pythoncdt") if find_spec("pythoncdt") else None
 
 SIZES = (1_000, 3_000, 10_000, 30_000, 100_000)
+DISK_SIZES = (500, 1_000, 2_000)
+DISKS = 9
+SIMPLE = "five-turn spiral strip"
 
 
 def smooth(name: str, n: int) -> Curve:
@@ -39,7 +46,7 @@ def looped_ribbon(n: int) -> Curve:
 
 
 CURVES: dict[str, Callable[[int], Curve]] = {
-    "five-turn spiral strip": partial(spiral_strip, turns=5.0),
+    SIMPLE: partial(spiral_strip, turns=5.0),
     "two_disks": partial(smooth, "two_disks"),
     "five_disks": partial(smooth, "five_disks"),
     "looped ribbon": looped_ribbon,
@@ -61,20 +68,50 @@ def peer(points: NDArray[np.float64]) -> object:
     return t.triangles_array()
 
 
-def large() -> list[Timing]:
-    """All curves at 100,000 vertices; the spiral strip is simple, so the peer takes it for all of them."""
-    simple = CURVES["five-turn spiral strip"](SIZES[-1]).points
-    timings = []
-    for name, make in CURVES.items():
-        curve = make(SIZES[-1])
-        task = f"recognise and triangulate {name}, n = {len(curve)}, {len(curve.crossings)} crossings"
-        timing = Timing(task, partial(recognise, curve.points), repeats=3)
-        timings.append(timing._replace(peer="pythoncdt", theirs=partial(peer, simple)) if cdt else timing)
-    return timings
+def scaling() -> pd.DataFrame:
+    """Recognise and triangulate all curves at all sizes, a row each, printed as they come.
+
+    The spiral strip is a simple polygon, which the peer can take.  Random disks cross themselves so often that little
+    can be left out; of each size the median of several is told.
+    """
+    tasks = [(name, n, [make(n)]) for name, make in CURVES.items() for n in SIZES]
+    rng = np.random.default_rng(SEED)
+    tasks += [("random disk", n, [gallery.random_disk(n, rng).curve for _ in range(DISKS)]) for n in DISK_SIZES]
+    tasks += [("two-turn spiral strip", n, [spiral_strip(n)]) for n in DISK_SIZES[1:]]
+    rows = []
+    for name, n, curves in tasks:
+        row = {
+            "curve": name,
+            "n": n,
+            "crossings": int(np.median([len(curve.crossings) for curve in curves])),
+            "left": int(np.median([len(reduce_curve(curve).kept) for curve in curves])),
+            "ms": 1e3 * np.median([seconds(partial(recognise, curve.points), 5) for curve in curves]),
+            "pythoncdt_ms": np.nan,
+        }
+        told = (
+            f"{name + ',':<23} n = {n:>6}, {row['crossings']:>5} crossings, {row['left']:>5} left  {row['ms']:9.2f} ms"
+        )
+        if cdt and name == SIMPLE:
+            row["pythoncdt_ms"] = 1e3 * seconds(partial(peer, curves[0].points), 5)
+            told += f"   {row['ms'] / row['pythoncdt_ms']:8.3g} x pythoncdt ({row['pythoncdt_ms']:.2f} ms)"
+        print(told, flush=True)
+        rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def growth(table: pd.DataFrame) -> None:
+    """Print the exponents of the time in n, fitted by least squares to the logarithms."""
+    for name in CURVES:
+        of_curve = table[table["curve"] == name]
+        exponent = np.polyfit(np.log(of_curve["n"]), np.log(of_curve["ms"]), 1)[0]
+        print(f"{name}: from {SIZES[0]:,} to {SIZES[-1]:,} vertices the time grows like n^{exponent:.2f}")
+    largest = table[table["n"] == SIZES[-1]]
+    ratios = largest["ms"] / largest["pythoncdt_ms"].max()
+    print(f"at {SIZES[-1]:,} vertices {ratios.min():.2f} to {ratios.max():.2f} x pythoncdt on a simple polygon")
 
 
 def morphs() -> list[Timing]:
-    T = triangulate(CURVES["five-turn spiral strip"](SIZES[-1]))
+    T = triangulate(CURVES[SIMPLE](SIZES[-1]))
     D = T.on_disk()
     times = np.linspace(0, 1, 100)[:, None, None]
     return [
@@ -88,32 +125,22 @@ def morphs() -> list[Timing]:
     ]
 
 
-def middling() -> list[Timing]:
-    rng = np.random.default_rng(SEED)
-    timings = []
-    for n in (1000, 2000):
-        shapes = {"random disk": gallery.random_disk(n, rng).curve, "two-turn spiral strip": spiral_strip(n)}
-        for name, curve in shapes.items():
-            timings.append(Timing(f"recognise and triangulate {name}, n = {n}", partial(recognise, curve.points)))
-    return timings
-
-
-def growth() -> None:
-    """Print the exponent of the time in n, fitted by least squares to the logarithms."""
-    for name, make in CURVES.items():
-        times = [seconds(partial(recognise, make(n).points), 5) for n in SIZES]
-        exponent = np.polyfit(np.log(SIZES), np.log(times), 1)[0]
-        print(f"{f'time grows like n^{exponent:.2f}':<30} recognise and triangulate {name}, 1,000 to 100,000")
-
-
 def main() -> None:
-    argparse.ArgumentParser(prog="python -m experiments.bench_scale", description=__doc__.split("\n")[0]).parse_args()
+    parser = argparse.ArgumentParser(prog="python -m experiments.bench_scale", description=__doc__.split("\n")[0])
+    parser.add_argument(
+        "--store", action="store_true", help="write results/scaling.csv, which the figure is drawn from"
+    )
+    arguments = parser.parse_args()
     decompose(smooth("five_disks", 300)).immersions()  # compiles
-    for group in (middling, large, morphs):
-        for timing in group():
-            report(timing)
-    growth()
+    table = scaling()
+    growth(table)
+    for timing in morphs():
+        report(timing)
     print(f"largest memory: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20:.2f} GiB")
+    if arguments.store:
+        rounded = table.assign(**{c: table[c].map("{:.3g}".format).replace("nan", "") for c in ("ms", "pythoncdt_ms")})
+        write_csv(RESULTS / "scaling.csv", rounded)
+        print("wrote results/scaling.csv; `python -m experiments.figures` draws it")
 
 
 if __name__ == "__main__":

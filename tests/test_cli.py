@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from malformed import MALFORMED
 
 import tween
 from tween import cli, commands, film, gallery, io, named
@@ -434,6 +435,23 @@ def test_what_is_wrong_is_said_in_one_line_and_no_file_is_touched(line: str, wor
     assert err.count("\n") == 1
     assert words in err
     assert {path: path.is_file() and path.read_bytes() for path in Path().iterdir()} == before
+
+
+@pytest.mark.parametrize("kind", MALFORMED)
+def test_a_malformed_file_is_answered_by_one_line_and_no_file_is_touched(kind: str, run: Run) -> None:
+    suffix, content = MALFORMED[kind]
+    name = f"malformed{suffix}"
+    Path(name).write_bytes(content.encode() if isinstance(content, str) else content)
+    Path("kept.gif").write_bytes(KEPT)
+    lines = [f"morph {name} disk -o kept.gif"]
+    if len(content) < 10_000:  # the others take a second each
+        lines += [f"info {name}", f"info {name} --json", f"morph gallery:ell {name} -o kept.gif", f"triangulate {name}"]
+    for line in lines:
+        status, out, err = run(line)
+        assert (line, status, out) == (line, 2, "")
+        assert re.fullmatch(rf"tween: {re.escape(name)}: .+\n", err)
+        assert Path("kept.gif").read_bytes() == KEPT
+        assert len(list(Path().iterdir())) == 2
 
 
 @pytest.mark.parametrize(

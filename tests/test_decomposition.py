@@ -169,13 +169,13 @@ def test_curves_of_different_sizes_are_refused() -> None:
 
 def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     splits = comb(20, 3)  # one for each triple of vertices of a convex polygon
-    monkeypatch.setattr("tween.decomposition._MOST_SPLITS", splits - 1)
+    monkeypatch.setattr("tween.splits._MOST_SPLITS", splits - 1)
     d = decompose(parabola(20))
     for ask in (lambda: d.count, lambda: d.sample(np.random.default_rng(0))):
         with pytest.raises(TweenError, match=f"{splits} splits would take 0 GiB"):
             ask()
     d.arbitrary().validate()
-    monkeypatch.setattr("tween.decomposition._MOST_SPLITS", splits)
+    monkeypatch.setattr("tween.splits._MOST_SPLITS", splits)
     assert decompose(parabola(20)).count == catalan(18)
 
 

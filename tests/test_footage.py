@@ -5,18 +5,17 @@ import re
 
 import numpy as np
 
-from tween import certify, gallery, morph
-from tween.footage import FRAMES, angle_sums, footage
+from tween import gallery, morph, vertex_sums
+from tween.footage import FRAMES, footage
 from tween.stroke import BOX
 
 
-def test_the_sums_of_angles_are_those_of_the_certificate() -> None:
+def test_the_largest_sum_of_angles_is_shown_with_its_vertex() -> None:
     m = morph(gallery.curve("three_lobes"), gallery.curve("spiral_2"), strategy="paper")
-    assert m.events
-    sums = angle_sums(m, np.linspace(0, 1, 100))
-    assert sums.max() <= certify(m).max_angle + 1e-9
-    assert abs(sums.sum(axis=1) - np.pi * (len(m.source) - 2)).max() < 1e-6
-    assert abs(sums[0] - angle_sums(m, np.array([0.0]))[0]).max() == 0
+    sums = vertex_sums(m, np.linspace(0, 1, FRAMES))
+    seen = footage(m)
+    assert seen["sums"] == sums.max(axis=0).round(4).tolist()
+    np.testing.assert_array_equal(sums[seen["worst"], np.arange(FRAMES)], sums.max(axis=0))
 
 
 def test_footage_is_json_and_fits_into_the_field() -> None:

@@ -35,9 +35,11 @@ def test_a_small_disk_has_as_many_immersions_as_its_triangulations_fall_into_cla
     assert len({remesh(T).canonical.tobytes() for T in found.values()}) == len(d.immersions())
 
 
-@pytest.mark.parametrize("n", [4, 5, 8, 12, 30])
+@pytest.mark.parametrize("n", [4, 5, 8, 12, 30, 200])
 def test_cocircular_vertices_do_not_multiply_the_answer(n: int) -> None:
-    assert len(decompose(regular(n)).immersions()) == 1
+    d = decompose(regular(n))
+    assert len(d.immersions()) == 1
+    assert n > 30 or len(d._full.delaunay()) == 1
 
 
 @pytest.mark.parametrize("side", [1, 2, 4])

@@ -10,8 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from tween import Morph, area_matrix, area_rank, certify, gallery, morph, triangulate
-from tween.pictures import draw_area_matrix, draw_singular_values, draw_vertex_sums, draw_winding, vertex_sums
+from tween import Morph, area_matrix, area_rank, gallery, morph, triangulate
+from tween.pictures import draw_area_matrix, draw_singular_values, draw_vertex_sums, draw_winding
 from tween.plot import FAILURE, INK
 
 
@@ -107,22 +107,6 @@ def test_the_singular_values_come_with_the_ranks(ax: Axes) -> None:
 
 
 # Sums of angles
-
-
-def test_sums_of_angles_are_those_that_a_certificate_finds() -> None:
-    for m in (to_disk("horseshoe"), morph(*gallery.pair("comb_to_winding"), strategy="paper")):
-        times = np.unique([*np.linspace(0, 1, 100), *(event.time for event in m.events)])
-        sums, found = vertex_sums(m, times), certify(m)
-        np.testing.assert_allclose(sums.sum(axis=0), (len(m.source) - 2) * np.pi)
-        assert sums.max() <= found.max_angle + 1e-9
-        at = vertex_sums(m, np.array([found.max_angle_time]))
-        assert at[found.max_angle_vertex, 0] == pytest.approx(found.max_angle)
-
-
-def test_a_flip_changes_no_sum_of_angles() -> None:
-    m = morph(*gallery.pair("comb_to_winding"), strategy="paper")
-    t = m.events[5].time
-    np.testing.assert_allclose(*vertex_sums(m, np.array([np.nextafter(t, 0), t])).T, atol=1e-9)
 
 
 def test_the_largest_sum_is_named_and_red_where_it_is_too_large(ax: Axes) -> None:

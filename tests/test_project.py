@@ -19,7 +19,7 @@ LAYERS = (
     {"curve"},
     {"triangulation"},
     {"flips", "dual", "table", "paths", "budgets", "costs"},
-    {"bounds", "reduction"},
+    {"bounds", "reduction", "splits"},
     {"decomposition", "sequence", "compatible", "generators"},
     {"gradual"},
     {"align"},

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pandas as pd
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -35,3 +36,46 @@ def test_every_command_is_in_the_makefile(command: str) -> None:
 @pytest.mark.parametrize("module", sorted(set(re.findall(r"experiments/(\w+)\.py", README))))
 def test_every_study_that_is_named_exists(module: str) -> None:
     assert (ROOT / "experiments" / f"{module}.py").exists()
+
+
+# The numbers
+
+
+def result(name: str) -> pd.DataFrame:
+    return pd.read_csv(ROOT / "results" / f"{name}.csv", keep_default_na=False)
+
+
+def test_the_verdicts_are_counted_as_in_the_table() -> None:
+    verdict = result("claims")["verdict"].value_counts()
+    held, conditional, failed = (verdict[v] for v in ("holds", "holds under a condition", "fails"))
+    assert f"{held} hold, {conditional} hold under a condition, {failed} fail" in README
+
+
+def test_the_frames_of_the_guarantee_are_those_of_the_study() -> None:
+    study = result("guarantee_summary")
+    guaranteed = study[study["guarantee"]]
+    assert guaranteed["frames_failed"].sum() == 0
+    assert f"no frame of {guaranteed['frames'].sum():,} fails" in README
+    plain = study[(study["kind"] == "random disk") & ~study["guarantee"]].set_index("path")
+    broken = plain["morphs"] - plain["valid"]
+    assert (
+        f"{broken['linear']} (linear) and {broken['slide']} (slide) of {plain['morphs']['slide']} random disks"
+        in README
+    )
+
+
+def test_the_curves_that_keep_the_floor_are_counted() -> None:
+    disks = result("guarantee").query("kind == 'disk' and path == 'area' and guarantee")
+    floor = disks.query("`AR_1e-9` == 2 and frames_failed == 0")
+    assert re.search(rf"on {len(floor)} of {len(disks)}\s+curves together with the guarantee", README)
+
+
+def test_the_ranks_below_the_median_are_counted() -> None:
+    table = result("table1").query("path == 'slide'").pivot(index="curve", columns="triangulation", values="AR_1e-4")
+    below = int((table["remeshed"] < table["uniform_median"]).sum())
+    assert f"on {below} of {len(table)} curves at a loose tolerance (1e-4)" in README
+
+
+def test_the_pairs_without_flips_are_counted() -> None:
+    pairs = result("pairs").drop_duplicates(["source", "target"])
+    assert f"{(pairs['common'] != 'none').sum()} of {len(pairs)} pairs" in README

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     )
     from tween.flips import flip, flippable, locally_delaunay, remesh
     from tween.gradual import Event
-    from tween.metrics import area_matrix, area_rank, frame_variance
+    from tween.metrics import area_matrix, area_rank, frame_variance, vertex_sums
     from tween.morph import morph
     from tween.motion import Morph
     from tween.predicates import incircle, orient2d
@@ -47,7 +47,7 @@ _HOME = {
     ),
     "flips": ("flip", "flippable", "locally_delaunay", "remesh"),
     "gradual": ("Event",),
-    "metrics": ("area_matrix", "area_rank", "frame_variance"),
+    "metrics": ("area_matrix", "area_rank", "frame_variance", "vertex_sums"),
     "morph": ("morph",),
     "motion": ("Morph",),
     "predicates": ("incircle", "orient2d"),
@@ -118,4 +118,5 @@ __all__ = [
     "spine",
     "triangulate",
     "verify",
+    "vertex_sums",
 ]

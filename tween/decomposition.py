@@ -1,9 +1,6 @@
-"""Which triangulations a curve has: the table of Shor and Van Wyk, counted, sampled, decomposed.
+"""Which triangulations a curve has: decided, counted, sampled, the best one, one for each immersed disk.
 
-Legend: ``i < k < j`` vertices; a *pair* (i, j) holds where the polygon i, i+1, ..., j bounds a disk, and
-is named by its place in the table; a *split* of it is an apex k such that (i, k) and (k, j) hold and
-i, k, j is a left turn: one triangle, two smaller pairs.  Pairs and splits form an acyclic graph, and a
-triangulation of the curve is a choice of one split at (0, n-1) and at every pair that this needs.
+By the table of Shor and Van Wyk, see `tween.splits`.
 
 References
 ----------
@@ -14,7 +11,7 @@ Geometry 2 (1992) 31-50.
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import mul
-from typing import Literal, NamedTuple, overload
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,23 +20,10 @@ from tween.curve import Curve, as_curve
 from tween.errors import CurveError, NotSelfOverlappingError, TweenError
 from tween.flips import remesh
 from tween.reduction import Reduction, reduce_curve, restore
-from tween.table import (
-    best_splits,
-    count_in_floats,
-    delaunay_splits,
-    delaunay_triangles,
-    draw,
-    find_pair,
-    find_pairs,
-    follow,
-    list_splits,
-    needed_pairs,
-    walk,
-)
+from tween.splits import Table
+from tween.table import best_splits, draw, follow
 from tween.triangulation import Triangulation
 
-_MOST_PAIRS = 2**28
-_MOST_SPLITS = 2**29
 _SMALL = 200  # vertices; up to here the table is as quick as anything
 _REDUCED = 0.9  # a reduction that leaves a larger share of the vertices does not pay
 
@@ -61,20 +45,20 @@ class Decomposition:
             self._reason = "no decomposition" + every
 
     @cached_property
-    def _reduction(self) -> Reduction | None:
-        """The curve without the vertices that do not matter, where that pays."""
-        if len(self._curves) > 1 or self._n <= _SMALL:
+    def _reduction(self) -> Reduction:
+        """The first curve without the vertices that do not matter."""
+        return reduce_curve(self._curves[0])
+
+    @cached_property
+    def _reduced(self) -> Table | None:
+        """The table of the reduced curve, where that pays."""
+        if len(self._curves) > 1 or self._n <= _SMALL or len(self._reduction.kept) > _REDUCED * self._n:
             return None
-        reduction = reduce_curve(self._curves[0])
-        return reduction if len(reduction.kept) <= _REDUCED * self._n else None
+        return Table(self._points[:, self._reduction.kept])
 
     @cached_property
-    def _reduced(self) -> "_Table | None":
-        return None if self._reduction is None else _Table(self._points[:, self._reduction.kept])
-
-    @cached_property
-    def _full(self) -> "_Table":
-        return _Table(self._points)
+    def _full(self) -> Table:
+        return Table(self._points)
 
     @property
     def curves(self) -> tuple[Curve, ...]:
@@ -255,7 +239,7 @@ class Decomposition:
         Returns
         -------
         list of Triangulation
-            One for each equivalence class of immersions, in the order of the table.
+            One for each equivalence class of immersions, in the order of the reduced curve's table.
 
         Raises
         ------
@@ -270,7 +254,7 @@ class Decomposition:
         all locally Delaunay.  So it is enough to list those: the same table, where a split counts
         only under a triangle whose third vertex is not in its circumcircle.  Of four cocircular vertices
         the one of smallest number counts as slightly lifted, exactly, so ties do not multiply the
-        answer.  O(splits * n), exact.
+        answer.  The curve is reduced first, see `tween.reduction`, and the rest costs O(splits * n).  Exact.
 
         Examples
         --------
@@ -285,9 +269,8 @@ class Decomposition:
         self._require()
         if len(self._curves) > 1:
             raise TweenError(f"immersions belong to one curve, but {len(self._curves)} were decomposed together")
-        if self._reduced is not None:
-            return [self._restored(triangles) for triangles in self._reduced.delaunay()]
-        return [self._triangulation(triangles) for triangles in self._full.delaunay()]
+        table = self._reduced or Table(self._points[:, self._reduction.kept])
+        return [self._restored(triangles) for triangles in table.delaunay()]
 
     def _require(self) -> None:
         if not self:
@@ -299,69 +282,7 @@ class Decomposition:
 
     def _restored(self, triangles: NDArray[np.int64]) -> Triangulation:
         """Put the vertices back that the reduction left out."""
-        assert self._reduction is not None
         return self._triangulation(restore(self._points[0], self._reduction, triangles))
-
-
-class _Table:
-    """The pairs that hold for a stack of curves, (c, n, 2), and what is read from them."""
-
-    def __init__(self, points: NDArray[np.float64]) -> None:
-        self._points, self._n = points, points.shape[1]
-        self._first, self._last, self._ends = find_pairs(points, _MOST_PAIRS)
-        if len(self._ends) > _MOST_PAIRS:
-            raise TweenError(
-                f"the table of {self._n} vertices would take more than {_MOST_PAIRS * 4 / 2**30:.0f} GiB; recognising, "
-                "triangulating and morphing curves with few crossings needs no table, but count, sample and optimal do"
-            )
-
-    @property
-    def decomposes(self) -> bool:
-        return bool(find_pair(self._first, self._last, self._ends, 0, self._n - 1) >= 0)
-
-    def walk(self, take_last: bool = False) -> NDArray[np.int64]:
-        """The triangulation of the first, or the last, splits."""
-        triangles: NDArray[np.int64] = walk(self._points, self._first, self._last, self._ends, self._n, take_last)
-        return triangles
-
-    def delaunay(self) -> list[NDArray[np.int64]]:
-        """All triangulations whose diagonals are locally Delaunay."""
-        points, graph = self._points[0], self.graph
-        counts = delaunay_splits(points, graph.ends, graph.first, graph.apex, graph.left, graph.right)
-        total = int(counts[graph.first[graph.whole] : graph.first[graph.whole + 1]].sum())
-        parts = graph.ends, graph.first, graph.apex, graph.left, graph.right, counts, graph.whole
-        return [delaunay_triangles(points, *parts, number) for number in range(total)]
-
-    @cached_property
-    def graph(self) -> "_Graph":
-        start = np.repeat(np.arange(self._n), self._last - self._first)
-        start = start[np.argsort(np.repeat(self._first, self._last - self._first), kind="stable")]
-        ends = np.stack([start, self._ends], axis=1).astype(np.int32)
-        needed, total = needed_pairs(self._points, self._first, self._last, self._ends, ends)
-        if total > _MOST_SPLITS:
-            raise TweenError(f"{total} splits would take {total * 12 / 2**30:.0f} GiB: too many to count or sample")
-        first, apex, left, right = list_splits(self._points, self._first, self._last, self._ends, ends, needed, total)
-        return _Graph(ends, first, apex, left, right, find_pair(self._first, self._last, self._ends, 0, self._n - 1))
-
-    @cached_property
-    def weights(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        graph = self.graph
-        return count_in_floats(graph.first, graph.left, graph.right)
-
-
-class _Graph(NamedTuple):
-    """Splits of the pairs that the whole curve needs; children have smaller numbers than parents."""
-
-    ends: NDArray[np.int32]  # (pairs, 2): i, j
-    first: NDArray[np.int64]  # (pairs + 1,): splits of pair p are first[p] : first[p + 1]
-    apex: NDArray[np.int32]  # (splits,): k
-    left: NDArray[np.int32]  # (splits,): the pair (i, k)
-    right: NDArray[np.int32]  # (splits,): the pair (k, j)
-    whole: int  # the pair (0, n-1)
-
-    @property
-    def pairs(self) -> int:
-        return len(self.ends)
 
 
 def decompose(*curves: Curve | ArrayLike) -> Decomposition:

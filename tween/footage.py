@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tween.certificate import Certificate, certify
 from tween.compatible import root_triangle
 from tween.dual import hops, smallest_triangle
-from tween.metrics import area_matrix, area_rank
+from tween.metrics import area_matrix, area_rank, vertex_sums
 from tween.motion import Morph
 from tween.plot import identity_colors
 from tween.stroke import BOX, many
@@ -22,36 +22,6 @@ FRAMES = 81
 _MARGIN = 0.06 * BOX
 
 _Floats = NDArray[np.float64]
-
-
-def angle_sums(m: Morph, times: _Floats) -> _Floats:
-    """Add up the angles of the triangles at every vertex.
-
-    Parameters
-    ----------
-    m : Morph
-    times : ndarray of float64, shape (k,)
-
-    Returns
-    -------
-    ndarray of float64, shape (k, n)
-        Radians.
-
-    Examples
-    --------
-    >>> from tween import morph, triangulate
-    >>> T = triangulate([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]])
-    >>> np.degrees(angle_sums(morph(T, T.on_disk()), np.array([0.0]))).round().tolist()
-    [[90.0, 90.0, 90.0, 270.0, 90.0, 90.0]]
-    """
-    shapes = m.at(times)
-    sums = np.zeros(shapes.shape[:2])
-    for total, shape, t in zip(sums, shapes, times.tolist(), strict=True):
-        triangles = m.triangles_at(t)
-        corners = shape[triangles] @ np.array([1, 1j])
-        ahead, back = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
-        np.add.at(total, triangles, np.angle(back / ahead))
-    return sums
 
 
 def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") -> dict[str, Any]:
@@ -84,7 +54,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
     """
     times = np.linspace(0, 1, FRAMES)
     _, first, stage = np.unique(m.stage_at(times), return_index=True, return_inverse=True)
-    sums = angle_sums(m, times)
+    sums = vertex_sums(m, times)
     certificate = certify(m, FRAMES)
     colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.uint8)
     return {
@@ -92,8 +62,8 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         "stages": [m.triangles_at(float(times[f])).ravel().tolist() for f in first],
         "stage": stage.tolist(),
         "areas": np.rint(1e4 * area_matrix(m, FRAMES).T).astype(int).tolist(),
-        "sums": sums.max(axis=1).round(4).tolist(),
-        "worst": sums.argmax(axis=1).tolist(),
+        "sums": sums.max(axis=0).round(4).tolist(),
+        "worst": sums.argmax(axis=0).tolist(),
         "colors": ["#" + bytes(color).hex() for color in colors],
         "order": _along(m.source),
         "root": _root(m, root),

@@ -17,15 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 from shapely.ops import polylabel
 
 from tween.curve import Curve, as_curve
-from tween.metrics import area_matrix, rank_of
+from tween.metrics import area_matrix, rank_of, vertex_sums
 from tween.motion import Morph
 from tween.plot import FAILURE, INK, SOURCE, regions
 from tween.triangulation import Triangulation
 
-_LABEL_ROOM, _LEAST_ROOM = (
-    0.022,
-    0.006,
-)  # radius that a number needs, and the first of its kind, as shares of the picture
+_LABEL_ROOM, _LEAST_ROOM = 0.022, 0.006  # radius that a number needs, and the first of its kind, in picture sizes
 _SMALLEST = 1e-4  # area that has its own shade, as a share of the largest
 _FLOOR = 1e-13  # singular values below this share of the largest are rounding, and not shown
 _TIE = 1e-9  # radians
@@ -200,39 +197,6 @@ def draw_singular_values(
     ax.set(xlabel="k", ylabel="singular value k / the largest", xlim=(0, len(shares) + 1))
     ax.set_ylim(bottom=max(_FLOOR, ax.get_ylim()[0]))
     return ax
-
-
-def vertex_sums(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Compute the sum of the angles of the triangles at each vertex.
-
-    Parameters
-    ----------
-    m : Morph
-    times : ndarray of float64, shape (k,)
-
-    Returns
-    -------
-    ndarray of float64, shape (n, k)
-        Radians.
-
-    Examples
-    --------
-    >>> from tween import morph, triangulate
-    >>> T = triangulate([[0, 0], [1, 0], [1, 1], [0, 1]])
-    >>> (vertex_sums(morph(T, T.on_disk()), np.array([0.0, 1.0])) / np.pi).round(12).tolist()
-    [[0.5, 0.5], [0.5, 0.5], [0.5, 0.5], [0.5, 0.5]]
-    """
-    shapes, stages = m.at(times), m.stage_at(times)
-    sums = np.zeros((len(m.source), len(times)))
-    for stage in np.unique(stages):
-        now = np.flatnonzero(stages == stage)
-        triangles = m.triangles_at(float(times[now[0]]))
-        corners = shapes[now][:, triangles]
-        for i in range(3):
-            u, v = (corners[:, :, (i + k) % 3] - corners[:, :, i] for k in (1, 2))
-            cross, dot = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0], (u * v).sum(axis=2)
-            np.add.at(sums, (triangles[:, i][:, None], now), np.arctan2(cross, dot).T)
-    return sums
 
 
 def draw_vertex_sums(m: Morph, ax: Axes | None = None, frames: int = 200) -> Axes:

@@ -1,6 +1,6 @@
 """All figures, registered by importing the modules that draw them."""
 
-from experiments.figures import compatible, gallery, guarantee, immersions, incompatible, roots, table_1
+from experiments.figures import compatible, gallery, guarantee, immersions, incompatible, roots, scale, table_1
 from experiments.figures.registry import DRAWINGS, drawn, save_all
 
 __all__ = [
@@ -13,5 +13,6 @@ __all__ = [
     "incompatible",
     "roots",
     "save_all",
+    "scale",
     "table_1",
 ]
