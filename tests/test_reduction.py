@@ -22,7 +22,6 @@ def both(points: object, monkeypatch: pytest.MonkeyPatch) -> tuple[Decomposition
     answers = []
     for small in (10**9, 0):
         monkeypatch.setattr(module, "_SMALL", small)
-        monkeypatch.setattr(module, "_REDUCED", 1.0)
         answers.append(decompose(points))
         assert (answers[-1]._reduced is None) == (small > 0)
     return answers[0], answers[1]

@@ -25,7 +25,6 @@ from tween.table import best_splits, draw, follow
 from tween.triangulation import Triangulation
 
 _SMALL = 200  # vertices; up to here the table is as quick as anything
-_REDUCED = 0.9  # a reduction that leaves a larger share of the vertices does not pay
 
 
 class Decomposition:
@@ -52,7 +51,7 @@ class Decomposition:
     @cached_property
     def _reduced(self) -> Table | None:
         """The table of the reduced curve, where that pays."""
-        if len(self._curves) > 1 or self._n <= _SMALL or len(self._reduction.kept) > _REDUCED * self._n:
+        if len(self._curves) > 1 or self._n <= _SMALL:
             return None
         return Table(self._points[:, self._reduction.kept])
 
