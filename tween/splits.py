@@ -33,14 +33,26 @@ _MOST_SPLITS = 2**29
 
 
 class Graph(NamedTuple):
-    """Splits of the pairs that the whole curve needs; children have smaller numbers than parents."""
+    """Splits of the pairs that the whole curve needs; children have smaller numbers than parents.
 
-    ends: NDArray[np.int32]  # (pairs, 2): i, j
-    first: NDArray[np.int64]  # (pairs + 1,): splits of pair p are first[p] : first[p + 1]
-    apex: NDArray[np.int32]  # (splits,): k
-    left: NDArray[np.int32]  # (splits,): the pair (i, k)
-    right: NDArray[np.int32]  # (splits,): the pair (k, j)
-    whole: int  # the pair (0, n-1)
+    Attributes
+    ----------
+    ends : ndarray of int32, shape (pairs, 2)
+        The vertices i and j of every pair.
+    first : ndarray of int, shape (pairs + 1,)
+        The splits of pair p are ``first[p] : first[p + 1]``; an edge of the curve has none.
+    apex, left, right : ndarray of int32, shape (splits,)
+        The vertex k of every split, and the pairs (i, k) and (k, j).
+    whole : int
+        The pair (0, n-1).
+    """
+
+    ends: NDArray[np.int32]
+    first: NDArray[np.int64]
+    apex: NDArray[np.int32]
+    left: NDArray[np.int32]
+    right: NDArray[np.int32]
+    whole: int
 
     @property
     def pairs(self) -> int:

@@ -20,19 +20,20 @@ FEW = {"five-turn spiral strip": "0.1", "two_disks": "0.35", "five_disks": "0.55
     triangulation: with few crossings it grows like n; dashed, what pythoncdt (C++) takes for the spiral strip, which is
     a simple polygon.  Right, the vertices that are left when ears and dents are gone, all that the table of Shor and
     Van Wyk has to see.  Random disks cross themselves thousands of times, and next to nothing can go.  Medians, timed
-    once with make bench on two cores; make reproduce does not time anything anew.""",
+    once on two cores by experiments/bench_scale.py; make reproduce does not time them anew.""",
 )
 def scaling() -> Figure:
     """Time, and vertices left, against the number of vertices."""
     table = pd.read_csv(RESULTS / "scaling.csv")
-    figure, (time, left) = plt.subplots(1, 2, figsize=(WIDTH, 3.2))
+    figure, (time, left) = plt.subplots(1, 2, figsize=(WIDTH, 3.4))
     for name, color in FEW.items():
         rows = table[table["curve"] == name]
         label = name.replace("_", " ")
         time.plot(rows["n"], rows["ms"] / 1e3, color=color, marker="o", markersize=3, linewidth=1, label=label)
         left.plot(rows["n"], rows["left"], color=color, marker="o", markersize=3, linewidth=1)
     peer = table.dropna(subset="pythoncdt_ms")
-    time.plot(peer["n"], peer["pythoncdt_ms"] / 1e3, color=draw.TREE, linestyle="--", linewidth=1, label="pythoncdt")
+    same = f"pythoncdt, {peer['curve'].iloc[0]}"
+    time.plot(peer["n"], peer["pythoncdt_ms"] / 1e3, color="0.1", linestyle="--", linewidth=1, label=same)
     disks = table[table["curve"] == "random disk"]
     time.plot(
         disks["n"], disks["ms"] / 1e3, color=draw.PIVOT, marker="s", markersize=3, linewidth=1, label="random disks"
@@ -46,5 +47,5 @@ def scaling() -> Figure:
         ax.minorticks_off()
     time.set(title="seconds")
     left.set(title="vertices that the table sees")
-    time.legend(loc="upper left")
+    figure.legend(*time.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure
