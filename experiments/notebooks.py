@@ -1,9 +1,11 @@
 """Run every notebook from top to bottom and keep its outputs in the file."""
 
 import sys
+from pathlib import Path
 from typing import Any
 
 import nbformat
+from joblib import Parallel, delayed
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from tqdm import tqdm
@@ -37,15 +39,23 @@ def joined(outputs: list[Any]) -> list[Any]:
     return result
 
 
+def run(path: Path) -> str:
+    """Run a notebook in place; returns what went wrong, if anything did, and then the file is as it was."""
+    try:
+        write_text(path, execute(path.read_text(encoding="utf-8")))
+    except CellExecutionError as error:
+        return f"notebooks: {path.name} failed and is left as it was\n{error}"
+    return ""
+
+
 def main() -> int:
-    for path in tqdm(sorted(FOLDER.glob("*.ipynb")), desc="notebooks", unit="notebook", disable=None):
-        try:
-            write_text(path, execute(path.read_text(encoding="utf-8")))
-        except CellExecutionError as error:
-            print(f"notebooks: {path.name} failed and is left as it was\n{error}", file=sys.stderr)
-            return 1
-        print(f"notebooks: {path.name}")
-    return 0
+    paths = sorted(FOLDER.glob("*.ipynb"))
+    failures = 0
+    runs = Parallel(n_jobs=-1, return_as="generator")(delayed(run)(path) for path in paths)
+    for path, failure in tqdm(zip(paths, runs, strict=True), desc="notebooks", total=len(paths), disable=None):
+        print(failure or f"notebooks: {path.name}", file=sys.stderr if failure else sys.stdout, flush=True)
+        failures += bool(failure)
+    return min(failures, 1)
 
 
 if __name__ == "__main__":

@@ -133,3 +133,12 @@ def test_restoring_nothing_changes_nothing() -> None:
     curve = Curve([[0, 0], [1, 0], [0, 1]])
     reduction = reduce_curve(curve)
     assert restore(curve.points, reduction, np.array([[0, 1, 2]])).tolist() == [[0, 1, 2]]
+
+
+@pytest.mark.parametrize("name", ["horseshoe", "three_lobes", "spiral_2"])
+def test_restored_triangles_have_the_order_of_the_table(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, reduced = both(gallery.curve(name), monkeypatch)
+    (T,) = reduced.immersions()
+    assert T.triangles.tolist() == whole._full.delaunay()[0].tolist()
+    for rows in (T.triangles, whole.sample(np.random.default_rng(0)).triangles):
+        assert rows.tolist() == sorted(rows.tolist(), key=lambda row: (row[0], -row[2]))

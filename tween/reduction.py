@@ -108,7 +108,8 @@ def restore(points: NDArray[np.float64], reduction: Reduction, triangles: NDArra
     Returns
     -------
     ndarray of int, shape (n-2, 3)
-        A triangulation of the corresponding immersed disk of the whole curve.
+        A triangulation of the corresponding immersed disk of the whole curve, rows i < k < j in the order of the
+        table: a triangle before those beyond its edges (i, k) and (k, j), so that neighbours are near each other.
 
     Notes
     -----
@@ -117,8 +118,8 @@ def restore(points: NDArray[np.float64], reduction: Reduction, triangles: NDArra
     kept, removed, dents = reduction
     whole = np.empty((len(points) - 2, 3), dtype=np.int64)
     whole[: len(triangles)] = kept[triangles]
-    restored: NDArray[np.int64] = _restore(points, whole, len(triangles), kept, removed, dents)
-    return restored
+    restored = np.sort(_restore(points, whole, len(triangles), kept, removed, dents), axis=1)
+    return restored[np.lexsort((-restored[:, 2], restored[:, 0]))]
 
 
 # Reducing

@@ -21,7 +21,7 @@ from matplotlib.spines import Spine
 from matplotlib.text import Annotation, Text
 from numpy.typing import NDArray
 
-from experiments.store import FIGURES, save_figure, write_json
+from experiments.store import save_figure
 from tween import plot as draw
 
 SEED = 20100
@@ -132,15 +132,11 @@ def _rounded(moments: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array(columns).T + 0.0  # no minus zero
 
 
-def save_all() -> None:
-    """Draw and save every figure, with captions.json and drawn.json."""
+def save(name: str) -> list[dict[str, Any]]:
+    """Draw a figure and save it; returns its summary."""
     draw.use_style()
-    summaries = {}
-    for name, (_, _, _, make) in sorted(DRAWINGS.items()):
-        figure = make()
-        summaries[name] = drawn(figure)
-        print(f"figures: {save_figure(figure, name).name}")
-        plt.close(figure)
-    write_json(FIGURES / "drawn.json", summaries)
-    captions = {name: {"of": d.of, "caption": d.caption} for name, d in sorted(DRAWINGS.items())}
-    write_json(FIGURES / "captions.json", captions)
+    figure = DRAWINGS[name].make()
+    summary = drawn(figure)
+    save_figure(figure, name)
+    plt.close(figure)
+    return summary
