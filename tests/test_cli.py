@@ -8,6 +8,7 @@ import shlex
 import subprocess
 import sys
 import tomllib
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from itertools import chain
 from pathlib import Path
@@ -18,6 +19,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from malformed import MALFORMED
+from PIL import Image
 
 import tween
 from tween import cli, commands, film, gallery, io, named
@@ -358,6 +360,23 @@ def test_a_curve_of_the_gallery_is_written(word: str, run: Run) -> None:
     curve = io.read_curve("out.json")
     assert len(curve) == entry["vertices"]
     assert np.array_equal(curve.points, named.read_shape(entry["name"]).points)
+
+
+def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
+    drawing = shlex.quote(str(ROOT / "tests" / "fixtures" / "drawing.svg"))
+    status, out, err = run(f"info {drawing} --select path1 --pen 8 --json")
+    answer = json.loads(out)
+    assert (status, err) == (0, "")
+    assert (answer["bounds_disk"], answer["crossings"], answer["immersions"]) == (True, 4, 1)
+    select = "--select-source path1 --select-target path2 --pen 8"
+    way = f"morph {drawing} {drawing} {select} --frames 5 --size 80 --certify"
+    for name in ("loop.gif", "loop.svg"):
+        status, out, err = run(f"{way} -o {name}")
+        assert (status, err) == (0, "")
+        assert out.startswith("valid\n")
+    with Image.open("loop.gif") as film:
+        assert film.n_frames == 5 + 4  # there, and back
+    assert ElementTree.parse("loop.svg").getroot().tag == "{http://www.w3.org/2000/svg}svg"
 
 
 # What goes wrong
