@@ -49,7 +49,7 @@ $(PACKAGES): requirements.lock | check-python
 	@echo "setup: making $(VENV) with $$("$(PYTHON)" --version)"
 	@"$(PYTHON)" -m venv --clear $(VENV)
 	@echo "setup: installing the packages of requirements.lock (some minutes the first time)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.lock
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile -r requirements.lock
 	@touch $@
 
 $(STAMP): pyproject.toml $(PACKAGES)

@@ -135,12 +135,11 @@ def throughout(m: Morph) -> str:
 
 def distortion(frames: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
     """The largest ratio of singular values of the maps of triangles from the first frame that has them."""
-    worst, first = 1.0, 0
-    for f in range(1, len(frames)):
-        if not np.array_equal(triangles[f], triangles[first]):
-            first = f
-        worst = max(worst, float(conformal_distortion(frames[first], frames[f])(triangles[f]).max()))
-    return worst
+    k, n = frames.shape[:2]
+    new = [True, *(triangles[1:] != triangles[:-1]).any(axis=(1, 2))]
+    first = np.maximum.accumulate(np.where(new, np.arange(k), 0))
+    cost = conformal_distortion(frames[first].reshape(-1, 2), frames.reshape(-1, 2))  # all frames as one shape
+    return max(1.0, float(cost((triangles + n * np.arange(k)[:, None, None]).reshape(-1, 3)).max()))
 
 
 def overshoot(frames: NDArray[np.float64]) -> float:
