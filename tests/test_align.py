@@ -1,5 +1,6 @@
 """Spines, pivots, correspondences, and triangulations of least cost."""
 
+import sys
 from collections.abc import Callable
 from functools import cache
 from itertools import combinations, pairwise, product
@@ -22,12 +23,15 @@ from tween import (
     Triangulation,
     align,
     decompose,
+    morph,
     pivot_vertex,
     spine,
     triangulate,
 )
+from tween.align import common
 from tween.costs import distortion
 from tween.gallery import curve, letter, names, random_disk
+from tween.splits import is_small
 
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]
 PAIRS = [
@@ -384,6 +388,16 @@ def test_the_optimum_is_the_least_over_all_triangulations(kind: str, combine: An
     assert optima >= 5
 
 
+def test_costs_are_asked_for_in_blocks_without_changing_the_optimum(monkeypatch: pytest.MonkeyPatch) -> None:
+    d = decompose(curve("two_loops"))
+    whole = d.optimal(random_costs(d.curves[0].points))
+    for block in (1, 7, 1000):
+        monkeypatch.setattr("tween.decomposition._AT_ONCE", block)
+        cost = Mock(wraps=random_costs(d.curves[0].points))
+        assert d.optimal(cost).triangles.tolist() == whole.triangles.tolist()
+        assert max(len(asked) for (asked,), _ in cost.call_args_list) <= block
+
+
 @pytest.mark.parametrize("combine", ["sum", "max"])
 @pytest.mark.parametrize("value", [0.0, 1.0, float("inf"), float("-inf")])
 def test_of_equally_good_splits_the_smallest_apex_is_taken(value: float, combine: Any) -> None:
@@ -410,3 +424,32 @@ def test_costs_that_are_no_numbers_are_refused(cost: Any, combine: Any, message:
 def test_a_curve_without_a_triangulation_has_no_optimum() -> None:
     with pytest.raises(NotSelfOverlappingError, match="turning number is 0, not 1"):
         decompose(EIGHT).optimal(lambda triangles: np.ones(len(triangles)))
+
+
+# What "auto" takes upon itself
+
+
+def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.MonkeyPatch) -> None:
+    pair = curve("arrow"), letter("c")  # common triangulations, but not as the pivots have it
+    assert not morph(*pair).events
+    monkeypatch.setattr(sys.modules["tween.morph"], "_MOST_RENUMBERED", 20)
+    assert morph(*pair).events
+    assert not morph(*pair, strategy="common").events
+
+
+def test_between_large_convex_polygons_auto_flips_rather_than_fills_the_memory() -> None:
+    angle = 2 * np.pi * np.arange(600) / 600
+    wide = np.stack([2 * np.cos(angle), np.sin(angle)], axis=1)
+    egg = np.stack([np.cos(angle), 1.5 * np.sin(angle) + 0.1 * np.cos(3 * angle)], axis=1)
+    m = morph(wide, egg)
+    assert m.events
+    np.testing.assert_array_equal(m(1.0), m.target.points)
+
+
+def test_how_many_pairs_hold_is_known_without_finding_them_all() -> None:
+    polygon = np.array([[0, 0], [2, 0], [3, 1], [2, 3], [0, 2]], dtype=float)
+    for most in range(12):
+        assert is_small(polygon[None], most) == (most >= 10)  # every two of five vertices see each other
+    T = triangulate(polygon)
+    assert common(T, T, most=9) is None
+    assert common(T, T, most=10) is not None

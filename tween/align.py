@@ -17,6 +17,7 @@ from tween.curve import Curve, as_curve
 from tween.decomposition import decompose, triangulate
 from tween.errors import IncompatibleError
 from tween.sequence import count_crossings, crossings_by_shift
+from tween.splits import is_small
 from tween.triangulation import Triangulation
 
 Shifts = Literal["pivots", "all"] | int
@@ -307,19 +308,23 @@ def pivot_shift(first: Triangulation, second: Triangulation) -> tuple[int, int]:
     return int(shifts[best]), pairs[best][0]
 
 
-def common(first: Triangulation, second: Triangulation) -> Triangulation | None:
+def common(first: Triangulation, second: Triangulation, most: int | None = None) -> Triangulation | None:
     """Find the least distorting triangulation that is valid in two shapes as they are numbered.
 
     Parameters
     ----------
     first, second : Triangulation
         With equally many vertices.
+    most : int, optional
+        Of pairs in the joint table, see `tween.splits`: where more would hold, none is looked for.
 
     Returns
     -------
     Triangulation or None
         Of the first shape; None where none is valid in both.
     """
+    if most is not None and not is_small(np.stack([first.points, second.points]), most):
+        return None
     both = decompose(first.curve, second.curve)
     return both.optimal(distortion(first.points, second.points)) if both else None
 

@@ -9,6 +9,7 @@ d.optimal(conformal_distortion(points, target), "max")
 from collections.abc import Callable
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from tween.curve import Curve
@@ -86,8 +87,7 @@ def distortion(source: NDArray[np.float64], target: NDArray[np.float64]) -> Cost
     first, second = (p / np.sqrt(Curve(p).area) for p in (source, target))
 
     def cost(triangles: NDArray[np.int64]) -> NDArray[np.float64]:
-        there, back = _edges(first[triangles]), _edges(second[triangles])
-        return _dirichlet(there, back) + _dirichlet(back, there)
+        return np.asarray(_dirichlet(first, second, np.asarray(triangles, dtype=np.int64)))
 
     return cost
 
@@ -128,11 +128,29 @@ def _edges(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
 
 
-def _dirichlet(edges: NDArray[np.float64], images: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Energy of the affine map that sends edges to images: half the sum of cot(angle) * |opposite image|**2."""
-    u, v = edges[:, 1], edges[:, 2]
-    twice_area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    dots = -(np.roll(edges, -1, axis=1) * np.roll(edges, 1, axis=1)).sum(axis=2)
-    with np.errstate(over="ignore", divide="ignore"):  # a triangle that is flat in floating point costs infinitely much
-        energy: NDArray[np.float64] = 0.5 * (dots * (images**2).sum(axis=2)).sum(axis=1) / twice_area
-    return energy
+@njit(cache=True, error_model="numpy")
+def _dirichlet(first, second, triangles):
+    """Energies of the affine maps from one shape to another and back, in all, for every triangle."""
+    energies = np.empty(len(triangles))
+    there, back = np.empty((3, 2)), np.empty((3, 2))
+    for t in range(len(triangles)):
+        for s in range(3):
+            i, j = triangles[t, (s + 2) % 3], triangles[t, (s + 1) % 3]
+            for k in range(2):
+                there[s, k], back[s, k] = first[i, k] - first[j, k], second[i, k] - second[j, k]
+        energies[t] = _energy(there, back) + _energy(back, there)
+    return energies
+
+
+@njit(cache=True, error_model="numpy")
+def _energy(edges, images):
+    """Energy of the affine map that sends edges to images: half the sum of cot(angle) * |opposite image|**2.
+
+    A triangle that is flat in floating point costs infinitely much.
+    """
+    total = 0.0
+    for s in range(3):
+        u, v = edges[(s + 1) % 3], edges[(s + 2) % 3]
+        total += -(u[0] * v[0] + u[1] * v[1]) * (images[s, 0] * images[s, 0] + images[s, 1] * images[s, 1])
+    twice_area = edges[1, 0] * edges[2, 1] - edges[1, 1] * edges[2, 0]
+    return 0.5 * total / twice_area

@@ -24,6 +24,7 @@ from tween.splits import Table
 from tween.table import best_splits, draw, follow
 from tween.triangulation import Triangulation
 
+_AT_ONCE = 2**20  # triangles whose costs are asked for
 _SMALL = 200  # vertices; up to here the table is as quick as anything
 
 
@@ -183,7 +184,7 @@ class Decomposition:
         ----------
         cost : callable
             From triangles, an (m, 3) array of vertices i < k < j, to their costs, shape (m,).  It is called
-            once, with every triangle that some triangulation contains.
+            with every triangle that some triangulation contains, a million at once at most.
         combine : {"sum", "max"}
             Whether the costs of the triangles add up, or the largest counts.
 
@@ -224,13 +225,17 @@ class Decomposition:
         if combine not in ("sum", "max"):
             raise ValueError(f"combine is {combine!r}, expected 'sum' or 'max'")
         graph = self._full.graph
-        of_pair = graph.ends[np.repeat(np.arange(graph.pairs), np.diff(graph.first))]
-        triangles = np.stack([of_pair[:, 0], graph.apex, of_pair[:, 1]], axis=1).astype(np.int64)
-        costs = np.asarray(cost(triangles), dtype=np.float64)
-        if costs.shape != (len(triangles),) or np.isnan(costs).any():
-            raise ValueError(f"cost gave shape {costs.shape}, expected {len(triangles)} numbers, none of them NaN")
+        costs = np.empty(len(graph.apex))
+        for low in range(0, len(costs), _AT_ONCE):
+            block = graph.triangles(low, min(low + _AT_ONCE, len(costs)))
+            given = np.asarray(cost(block), dtype=np.float64)
+            if given.shape != (len(block),) or np.isnan(given).any():
+                raise ValueError(f"cost gave shape {given.shape}, expected {len(block)} numbers, none of them NaN")
+            costs[low : low + _AT_ONCE] = given
         best = best_splits(graph.first, graph.left, graph.right, costs, combine == "max")
-        return self._triangulation(follow(graph.whole, graph.left, graph.right, best, triangles, self._n - 2))
+        return self._triangulation(
+            follow(graph.whole, graph.ends, graph.apex, graph.left, graph.right, best, self._n - 2)
+        )
 
     def immersions(self) -> list[Triangulation]:
         """List the immersed disks that the curve bounds, each by its constrained Delaunay triangulation.

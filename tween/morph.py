@@ -25,6 +25,10 @@ from tween.triangulation import Triangulation, compatible_shift, match_rows
 Root = Literal["disk-center", "tree-center"] | int
 Strategy = Literal["auto", "paper", "common"]
 
+# What "auto" takes upon itself in search of a common triangulation, some seconds each.
+_MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
+_MOST_PAIRS = 2**17  # in one joint table
+
 _BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
 _BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex add up to less than 2 pi"
 
@@ -70,8 +74,9 @@ def morph(
         "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
         gradually (Section 6).  "common": retriangulate both curves with a triangulation that is valid in
         both, the least distorting one, under the pivots' correspondence or, if there is none, under
-        any; no flips.  "auto": for curves "common" where that is possible, otherwise "paper";
-        triangulations that were given are kept ("paper").
+        any; no flips.  "auto": for curves "common" where that is possible, otherwise "paper"; above 200
+        vertices only the pivots' correspondence is tried, above 500 only where the joint table stays small.
+        Triangulations that were given are kept ("paper").
     order : {"partial", "sequential"}
         Whether flips that do not depend on each other wait for each other, see `tween.gradual`.
     shifts : {"pivots", "all"} or int
@@ -153,7 +158,7 @@ def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> 
     keep = isinstance(source, Triangulation) or isinstance(target, Triangulation)
     first, second, *origins = equal_counts(source, target)
     if strategy == "common" or (strategy == "auto" and not keep):
-        found = _align_commonly(first, second, shifts)
+        found = _align_commonly(first, second, shifts, everywhere=strategy == "common")
         if found is not None:
             shift, shared, pivot = found
             same = Triangulation(second.points, (shared.triangles + shift) % len(first))
@@ -168,15 +173,18 @@ def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> 
 
 
 def _align_commonly(
-    first: Triangulation, second: Triangulation, shifts: Shifts
+    first: Triangulation, second: Triangulation, shifts: Shifts, everywhere: bool
 ) -> tuple[int, Triangulation, int | None] | None:
-    """The (shift, triangulation, pivot) of a common triangulation, None where there is none."""
+    """The (shift, triangulation, pivot) of a common triangulation, None where none was found.
+
+    Unless it is to be looked for everywhere, where that takes long it is not.
+    """
     if shifts != "all":
         shift, pivot = pivot_shift(first, second) if shifts == "pivots" else (shifts % len(first), None)
-        shared = common(first, second.rolled(shift))
+        shared = common(first, second.rolled(shift), None if everywhere else _MOST_PAIRS)
         if shared is not None:
             return shift, shared, pivot
-        if shifts != "pivots":
+        if shifts != "pivots" or not (everywhere or len(first) <= _MOST_RENUMBERED):
             return None
     found = least_distorted(first, second)
     return (*found, None) if found is not None else None

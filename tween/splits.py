@@ -59,6 +59,13 @@ class Graph(NamedTuple):
         """Number of pairs, needed or not."""
         return len(self.ends)
 
+    def triangles(self, low: int, high: int) -> NDArray[np.int64]:
+        """The triangles i, k, j of splits low to high - 1, (high - low, 3)."""
+        p, q = np.searchsorted(self.first, [low, high - 1], side="right") - 1
+        bounds = np.clip(self.first[p : q + 2], low, high)
+        of_pair = np.repeat(self.ends[p : q + 1], bounds[1:] - bounds[:-1], axis=0)
+        return np.stack([of_pair[:, 0], self.apex[low:high], of_pair[:, 1]], axis=1).astype(np.int64)
+
 
 class Table:
     """The pairs that hold, and what is read from them.
@@ -118,3 +125,19 @@ class Table:
         """Numbers of triangulations of every pair: mantissas in [0.5, 1) and exponents, each (pairs,)."""
         graph = self.graph
         return count_in_floats(graph.first, graph.left, graph.right)
+
+
+def is_small(points: NDArray[np.float64], most: int) -> bool:
+    """Tell whether at most so many pairs hold for curves, without looking at many more.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (c, n, 2)
+    most : int
+
+    Returns
+    -------
+    bool
+    """
+    n = points.shape[1]
+    return n * (n - 1) // 2 <= most or len(find_pairs(points, most)[2]) <= most

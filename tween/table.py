@@ -232,16 +232,17 @@ def best_splits(first, left, right, costs, largest_counts):
 
 
 @njit(cache=True)
-def follow(whole, left, right, best, triangles, count):
+def follow(whole, ends, apex, left, right, best, count):
     """The triangles of the chosen splits."""
     chosen = np.empty((count, 3), np.int64)
     stack = np.empty(2 * count + 2, np.int64)
     stack[0], size, t = whole, 1, 0
     while size > 0:
         size -= 1
-        s = best[stack[size]]
+        pair = stack[size]
+        s = best[pair]
         if s >= 0:
-            chosen[t] = triangles[s]
+            chosen[t] = ends[pair, 0], apex[s], ends[pair, 1]
             t += 1
             stack[size], stack[size + 1] = right[s], left[s]
             size += 2
