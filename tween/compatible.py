@@ -87,9 +87,10 @@ class Leg:
             return measured_budgets(self._corners, *angles, self._angles_at)
         return proved_budgets(self._corners, *angles, self._largest_angles)
 
-    def _largest_angles(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Bounds of the angles at a, b, c of every triangle between neighbouring times, (m, 3, k-1)."""
-        return largest_angles(self._path, *self._thirds, self._propagates, self._stretch, t)
+    def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
+        source, target = (z[rows] for z in self._thirds)
+        return largest_angles(self._path, source, target, self._propagates[rows], self._stretch[rows], t)
 
     def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
         """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
