@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tween import Triangulation, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate
+from tween.budgets import proved_budgets
 from tween.compatible import Leg, root_triangle
 from tween.errors import TriangulationError
 from tween.paths import PATHS
@@ -106,3 +107,44 @@ def test_with_a_guarantee_flips_keep_the_disk_too(pair: str, path: str) -> None:
     m = morph(*gallery.pair(pair), path=path, guarantee=True, strategy="paper")
     times = np.linspace(0, 1, 41)
     assert not any(is_broken(Triangulation(s, m.triangles_at(t))) for t, s in zip(times, m.at(times), strict=True))
+
+
+# Who gets a budget
+
+
+def spread(corners, first, last, wanted) -> list[set[int]]:
+    """Grow the set of vertices as `tween.budgets` explains it, without any shortcut; returns all its stages."""
+    stages: list[set[int]] = [set()]
+    times = np.linspace(0, 1, 129)
+    while True:
+        sums = np.zeros((corners.max() + 1, 128))
+        for triangle, a, b, (low, high) in zip(corners.tolist(), first, last, wanted, strict=True):
+            for s, v in enumerate(triangle):
+                reached = low[s] + times * (high[s] - low[s])
+                if stages[-1] & set(triangle):
+                    reached = np.maximum(reached, a[s] + times * (b[s] - a[s]))
+                sums[v] += np.maximum(reached[:-1], reached[1:])
+        over = set(np.flatnonzero(sums.max(axis=1) >= 2 * np.pi).tolist()) - stages[-1]
+        if not over:
+            return stages
+        stages.append(stages[-1] | over)
+
+
+def test_the_vertices_with_budgets_are_those_that_the_rule_spreads_to() -> None:
+    rng, rounds = np.random.default_rng(0), []
+    for _ in range(40):
+        corners = remesh(gallery.random_disk(40, rng)).triangles
+        count = np.bincount(corners.ravel())
+        first, last = ((rng.uniform(1.9, 1.99, len(count)) * np.pi / count)[corners] for _ in range(2))
+        wanted = np.stack([first, last], axis=1) * rng.uniform(0.82, 1.1, (len(corners), 2, 3))
+
+        def bounds(times, rows, wanted=wanted):
+            low, high = wanted[rows].transpose(1, 0, 2)[..., None]
+            angles = low + times * (high - low)
+            return np.maximum(angles[..., :-1], angles[..., 1:])
+
+        budgets = proved_budgets(corners, first, last, bounds)
+        stages = spread(corners, first, last, wanted)
+        assert set(corners[np.isfinite(budgets.low)].tolist()) == stages[-1]
+        rounds.append(len(stages) if len(stages[-1]) < 40 else 0)
+    assert sum(r >= 4 for r in rounds) >= 10  # it spread, and not to all

@@ -177,13 +177,12 @@ def proved_budgets(
         near = touches(doubtful) & ~known
         known |= near
         fine[near] = bounds(many, np.flatnonzero(near))
-        reach_plain(fine, many, near & touches(vertices))
         over = doubtful & ~vertices & unproved(known, fine)
         if not over.any():
             return budgets_at(vertices, corners, first, last) if vertices.any() else no_budgets(len(corners))
         vertices |= over
-        reach_plain(rough, few, touches(over))
-        reach_plain(fine, many, touches(over) & known)
+        for angles, times in ((rough, few), (fine, many)):
+            reach_plain(angles, times, touches(over))
 
 
 def measured_budgets(
