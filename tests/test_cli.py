@@ -200,7 +200,7 @@ def test_a_line_is_drawn_with_a_pen_and_curves_as_finely_as_asked(run: Run) -> N
     Path("loop.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C9 0 9 9 5 9S1 0 9 0"/></svg>')
     facts = json.loads(run("info loop.svg --pen 0.5 --json")[1])
     assert facts["bounds_disk"]
-    assert facts["vertices"] == len(io.stroke("loop.svg", 0.5))
+    assert facts["vertices"] == len(io.read_stroke("loop.svg", 0.5))
     assert json.loads(run("info loop.svg --pen 0.5 --tolerance 0.1 --json")[1])["vertices"] < facts["vertices"]
 
 

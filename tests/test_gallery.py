@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from tween.curve import Curve
 from tween.decomposition import decompose
 from tween.errors import CurveError, TriangulationError
 from tween.flips import remesh
+from tween.io import read_stroke
 from tween.predicates import incircle, orient2d
 from tween.triangulation import Triangulation
 
@@ -382,3 +384,32 @@ def test_a_pen_without_width_is_refused(width):
 def test_the_finest_pen_writes_every_character():
     for char in HAVE_STROKES:
         assert isinstance(gallery.letter(char, 0.01), Curve)
+
+
+# Strokes
+
+
+def test_a_stroke_of_path_data_is_that_of_a_file(tmp_path: Path) -> None:
+    data = "M10 80C40 80 90 70 90 40S70 5 55 20s0 50 35 50a20 20 0 0 0 20-20v-20"
+    path = tmp_path / "loop.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{data}"/></svg>')
+    for tolerance in (None, 0.5):
+        drawn = gallery.stroke(data, 6, tolerance)
+        np.testing.assert_array_equal(drawn.points, read_stroke(path, 6, tolerance=tolerance).points)
+    assert len(drawn.crossings) > 0
+    assert len(gallery.stroke(data, 6, cap=4)) == len(gallery.stroke(data, 6)) + 8
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ("", "0 lines"),
+        ("M0 0L1 1M2 2L3 3", "2 lines"),
+        ("M0 0L1 frog", "path data"),
+        ("M0 0L1e400 1", "path data"),
+        ("M0 0L1 0L1 1", "too|width|radius"),
+    ],
+)
+def test_what_is_no_single_line_is_refused(data: str, words: str) -> None:
+    with pytest.raises(CurveError, match=words):
+        gallery.stroke(data, 3)

@@ -23,7 +23,7 @@ from tween.io import (
     read_curve,
     read_curves,
     read_frames,
-    stroke,
+    read_stroke,
     write_curve,
     write_frames,
     write_triangulation,
@@ -223,22 +223,22 @@ def test_an_error_about_one_of_many_curves_names_it(tmp_path):
 @pytest.mark.parametrize("tolerance", [None, 1.0, 1e-2])
 def test_a_stroke_is_a_ribbon_as_wide_as_its_path_is_curved(tolerance):
     path = FIXTURES / "loop.svg"
-    curve = stroke(path, 5, tolerance=tolerance)
+    curve = read_stroke(path, 5, tolerance=tolerance)
     assert decompose(curve)
     assert len(curve.crossings.crossing) == 4
     assert np.hypot(*(curve.points[0] - curve.points[-1])) == pytest.approx(5)
     # The smallest radius of curvature is 14.457, in the second of the cubics.
-    assert decompose(stroke(path, 28.8, tolerance=tolerance))
+    assert decompose(read_stroke(path, 28.8, tolerance=tolerance))
 
 
 def test_a_stroke_that_is_too_wide_names_the_file_and_the_radius():
     with pytest.raises(CurveError, match=r"loop\.svg: spine vertex \d+: radius of curvature 14\.\d is not above"):
-        stroke(FIXTURES / "loop.svg", 29, tolerance=1e-2)
+        read_stroke(FIXTURES / "loop.svg", 29, tolerance=1e-2)
 
 
 def test_the_stroke_of_a_closed_path_goes_once_around(tmp_path):
     path = saved(tmp_path, "a.svg", svg('<circle id="o" r="10"/>'))
-    curve = stroke(path, 2, select="o")
+    curve = read_stroke(path, 2, select="o")
     assert decompose(curve)
     assert curve.area == pytest.approx(2 * np.pi * 20, rel=1e-2)
 
@@ -278,7 +278,7 @@ def test_a_malformed_file_is_answered_by_one_line(tmp_path, kind):
     assert complaint(path, read_curve)
     if len(content) < 10_000:  # the others take a second each
         assert complaint(path, read_curves)
-        assert complaint(path, lambda p: stroke(p, 1e300))
+        assert complaint(path, lambda p: read_stroke(p, 1e300))
 
 
 @pytest.mark.parametrize(
@@ -293,7 +293,7 @@ def test_what_is_no_readable_file_is_answered_by_one_line(tmp_path, kind):
     elif kind.startswith("large"):
         with open(path, "wb") as file:
             file.truncate(LARGEST_FILE + 1)
-    for read in (read_curve, read_curves, lambda p: stroke(p, 1)):
+    for read in (read_curve, read_curves, lambda p: read_stroke(p, 1)):
         if "\0" in kind:
             with pytest.raises(FileError, match=r"nul\\x00\.csv: embedded null"):
                 read(path)

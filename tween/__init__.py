@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tween.align import Alignment, align, pivot_vertex, spine
+    from tween.animate import save_animation
     from tween.certificate import Certificate, Failure, certify, verify
     from tween.curve import Crossings, Curve
     from tween.decomposition import Decomposition, decompose, triangulate
@@ -25,6 +26,15 @@ if TYPE_CHECKING:
     )
     from tween.flips import flip, flippable, locally_delaunay, remesh
     from tween.gradual import Event
+    from tween.io import (
+        read_curve,
+        read_curves,
+        read_frames,
+        read_stroke,
+        write_curve,
+        write_frames,
+        write_triangulation,
+    )
     from tween.metrics import area_matrix, area_rank, frame_variance, vertex_sums
     from tween.morph import morph
     from tween.motion import Morph
@@ -34,6 +44,7 @@ if TYPE_CHECKING:
 # Where each public name is defined; it is imported on first use, so that `tween --help` does not wait for numba.
 _HOME = {
     "align": ("Alignment", "align", "pivot_vertex", "spine"),
+    "animate": ("save_animation",),
     "certificate": ("Certificate", "Failure", "certify", "verify"),
     "curve": ("Crossings", "Curve"),
     "decomposition": ("Decomposition", "decompose", "triangulate"),
@@ -47,6 +58,15 @@ _HOME = {
     ),
     "flips": ("flip", "flippable", "locally_delaunay", "remesh"),
     "gradual": ("Event",),
+    "io": (
+        "read_curve",
+        "read_curves",
+        "read_frames",
+        "read_stroke",
+        "write_curve",
+        "write_frames",
+        "write_triangulation",
+    ),
     "metrics": ("area_matrix", "area_rank", "frame_variance", "vertex_sums"),
     "morph": ("morph",),
     "motion": ("Morph",),
@@ -114,9 +134,17 @@ __all__ = [
     "morph",
     "orient2d",
     "pivot_vertex",
+    "read_curve",
+    "read_curves",
+    "read_frames",
+    "read_stroke",
     "remesh",
+    "save_animation",
     "spine",
     "triangulate",
     "verify",
     "vertex_sums",
+    "write_curve",
+    "write_frames",
+    "write_triangulation",
 ]

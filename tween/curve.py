@@ -211,6 +211,22 @@ def _frozen(array: NDArray[_Scalar]) -> NDArray[_Scalar]:
     return array
 
 
+def without_repetitions(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Drop points that equal the one before.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    ndarray of float64, shape (m, 2)
+    """
+    fresh = np.ones(len(points), dtype=np.bool_)
+    fresh[1:] = (points[1:] != points[:-1]).any(axis=1)
+    return points[fresh]
+
+
 def _validated(points: ArrayLike) -> NDArray[np.float64]:
     """Copy the points to doubles, or raise the `CurveError` that names the first vertex at fault."""
     try:

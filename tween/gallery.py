@@ -1,6 +1,6 @@
 """Curves to try things on: named ones, strips along a path, random disks, handwriting.
 
-All but `ribbon` put their points on a grid, so that coordinates do not depend on the last bit of a
+All but `ribbon` and `stroke` put their points on a grid, so that coordinates do not depend on the last bit of a
 platform's sine, midpoints of edges are exact, and a mirror image is one exactly.
 
 Legend: ``n`` vertices of a curve, ``m`` of a spine; ``t`` a parameter along a path; ``z = x + iy``.
@@ -12,10 +12,11 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.curve import Curve
-from tween.errors import CurveError
+from tween.curve import Curve, without_repetitions
+from tween.errors import CurveError, FileError
 from tween.generators import GRID, evenly, fan, on_grid, random_disk, ribbon, xy, zigzag
 from tween.handwriting import PEN, letter, letters, spine_of
+from tween.svgpath import checked, flattened
 
 __all__ = [
     "GRID",
@@ -31,6 +32,7 @@ __all__ = [
     "pairs",
     "random_disk",
     "ribbon",
+    "stroke",
     "zigzag",
 ]
 
@@ -180,6 +182,52 @@ def describe_pair(name: str) -> str:
     'A handwritten e becomes an l: both cross themselves.'
     """
     return _pair_entry(name)[0]
+
+
+def stroke(path: str, width: float, tolerance: float | None = None, cap: int = 0) -> Curve:
+    """Widen an SVG path to a ribbon: the commonest way to get a curve that overlaps itself.
+
+    Parameters
+    ----------
+    path : str
+        Path data of one line, as in the attribute d of an SVG path; y is turned upwards.
+    width : float
+        Distance between the two sides, in the units of the path.
+    tolerance : float, optional
+        How far the middle line may lie from the path; by default a thousandth of its larger side.
+    cap : int
+        Points by which each end is rounded to a half circle; 0 leaves it flat.
+
+    Returns
+    -------
+    Curve
+        As `ribbon` makes it.  A closed path is walked once around, so that the ends of the ribbon meet.
+
+    Raises
+    ------
+    CurveError
+        Where the data are no path, or draw more or less than one line; where a bend is too tight for the width.
+
+    Examples
+    --------
+    >>> stroke("M0 0C9 0 9 9 5 9S1 0 9 0", width=0.5)
+    Curve(132 vertices, turning number 1)
+    >>> stroke("M0 0L2 0M5 5L6 6", 1)
+    Traceback (most recent call last):
+    ...
+    tween.errors.CurveError: path data draw 2 lines, expected one
+
+    See Also
+    --------
+    tween.read_stroke : for a path in a file.
+    """
+    try:
+        lines = flattened(checked(path), np.eye(3), tolerance)
+    except FileError as error:
+        raise CurveError(f"path data {error}") from None
+    if len(lines) != 1:
+        raise CurveError(f"path data draw {len(lines)} lines, expected one")
+    return ribbon(without_repetitions(lines[0]), width, cap)
 
 
 def _pair_entry(name: str) -> tuple[str, Callable[[], tuple[Curve, Curve]]]:

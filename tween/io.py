@@ -1,10 +1,10 @@
 """Files: curves read and written, triangulations and the frames of morphs written.
 
-    read_curve, read_curves, stroke    .svg .csv .json .geojson .npz .npy
-    write_curve                        .svg .csv .json .geojson .npz .npy
-    write_triangulation                .svg .obj .json .npz
-    write_frames                       .svg .csv .json .npz
-    read_frames                        .json .npz
+    read_curve, read_curves, read_stroke    .svg .csv .json .geojson .npz .npy
+    write_curve                             .svg .csv .json .geojson .npz .npy
+    write_triangulation                     .svg .obj .json .npz
+    write_frames                            .svg .csv .json .npz
+    read_frames                             .json .npz
 
 The suffix decides on the format.  A file is written whole or not at all: where writing fails, what stood
 there before stands there still.  Every error is one line that begins with the name of the file.
@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.curve import Curve, as_curve
+from tween.curve import Curve, as_curve, without_repetitions
 from tween.errors import CurveError, FileError
 from tween.files import AnyPath, content_of, naming, suffix_of, write
 from tween.generators import ribbon
@@ -116,7 +116,7 @@ def read_curves(path: AnyPath, tolerance: float | None = None) -> dict[str, Curv
         return curves
 
 
-def stroke(path: AnyPath, width: float, select: str | int | None = None, tolerance: float | None = None) -> Curve:
+def read_stroke(path: AnyPath, width: float, select: str | int | None = None, tolerance: float | None = None) -> Curve:
     """Read a path, of an SVG for example, and widen it to a ribbon.
 
     Parameters
@@ -130,8 +130,8 @@ def stroke(path: AnyPath, width: float, select: str | int | None = None, toleran
     Returns
     -------
     Curve
-        As `tween.gallery.ribbon` makes it, with flat ends.  A closed path is walked once around, so that
-        the ends of the ribbon meet.
+        As `tween.gallery.ribbon` makes it, with flat ends.  A closed path is walked once around, so that the ends
+        of the ribbon meet.  For path data without a file see `tween.gallery.stroke`.
 
     Raises
     ------
@@ -146,11 +146,11 @@ def stroke(path: AnyPath, width: float, select: str | int | None = None, toleran
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "loop.svg")
     ...     _ = path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C9 0 9 9 5 9S1 0 9 0"/></svg>')
-    ...     stroke(path, 0.5)
+    ...     read_stroke(path, 0.5)
     Curve(132 vertices, turning number 1)
     """
     with naming(path):
-        return ribbon(_without_repetitions(_chosen(_outlines(path, tolerance), select)), width)
+        return ribbon(without_repetitions(_chosen(_outlines(path, tolerance), select)), width)
 
 
 def read_frames(path: AnyPath) -> tuple[_Floats, NDArray[np.int64], _Floats | None]:
@@ -326,12 +326,6 @@ def _chosen(outlines: dict[str, _Floats], select: str | int | None) -> _Floats:
     raise FileError(f"{what}, expected the choice of one by id or place: {listed}{more}")
 
 
-def _without_repetitions(points: _Floats) -> _Floats:
-    fresh = np.ones(len(points), dtype=bool)
-    fresh[1:] = (points[1:] != points[:-1]).any(axis=1)
-    return points[fresh]
-
-
 def _curve(points: _Floats) -> Curve:
-    points = _without_repetitions(points)
+    points = without_repetitions(points)
     return Curve(points[:-1] if len(points) > 1 and (points[0] == points[-1]).all() else points)

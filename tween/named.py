@@ -10,7 +10,7 @@ from typing import Any
 from tween import gallery
 from tween.curve import Curve
 from tween.errors import FileError
-from tween.io import read_curve, stroke
+from tween.io import read_curve, read_stroke
 
 _ENDS = ("source", "target")
 
@@ -25,9 +25,9 @@ def read_shape(word: str, select: str | None = None, tolerance: float | None = N
     select : str, optional
         Which curve of a file that has several.
     tolerance : float, optional
-        How far the polygon may lie from the curves of an SVG file, in its units, see `tween.io.read_curve`.
+        How far the polygon may lie from the curves of an SVG file, in its units, see `tween.read_curve`.
     pen : float, optional
-        How wide to draw the line that the file holds, see `tween.io.stroke`; without it, the line is the
+        How wide to draw the line that the file holds, see `tween.read_stroke`; without it, the line is the
         curve itself.
 
     Returns
@@ -53,7 +53,7 @@ def read_shape(word: str, select: str | None = None, tolerance: float | None = N
         return _named(kind, name)
     if word in gallery.names() and not Path(word).exists():
         raise FileError(f"there is no file {word!r}; the curve that comes with tween is gallery:{word}")
-    return read_curve(word, select, tolerance) if pen is None else stroke(word, pen, select, tolerance)
+    return read_curve(word, select, tolerance) if pen is None else read_stroke(word, pen, select, tolerance)
 
 
 def _named(kind: str, name: str) -> Curve:
