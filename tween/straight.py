@@ -332,9 +332,9 @@ def _cross(u: tuple[int, int], w: tuple[int, int]) -> int:
 
 def _first_root(c: _Quadratic, d: _Quadratic = (1, 0, 0)) -> float | None:
     """The first s in (0, 1), as a double, at which the quadratic c is 0 and the quadratic d positive."""
-    if c[2] == 0:  # from the other end there is one root at x = 0, which does not count
-        s = _first_root(c[::-1], d[::-1]) if c[0] else None
-        return None if s is None else 1.0 - s
+    if c[2] == 0:
+        hit = c[0] * c[1] < 0 and d[0] * c[1] ** 2 - d[1] * c[0] * c[1] + d[2] * c[0] ** 2 > 0
+        return c[0] / (c[0] - c[1]) if hit else None
     discriminant = c[1] ** 2 - 4 * c[0] * c[2]
     if discriminant < 0:
         return None
