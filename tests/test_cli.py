@@ -13,6 +13,7 @@ from collections.abc import Callable
 from itertools import chain
 from pathlib import Path
 from typing import Any, get_args
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -24,8 +25,9 @@ from PIL import Image
 import tween
 from tween import cli, commands, film, gallery, io, named
 from tween.morph import Strategy
-from tween.options import PATHS, STYLES, build_parser
+from tween.options import PATHS, SIZES, STYLES, build_parser
 from tween.paths import PATHS as LIBRARY_PATHS
+from tween.stroke import MOST_COUNTED
 
 ROOT = Path(__file__).resolve().parent.parent
 EIGHT = [[0, 0], [2, 2], [2, 0], [0, 2]]
@@ -93,6 +95,7 @@ def test_tween_alone_shows_the_help_and_counts_as_misuse(run: Run) -> None:
 def test_the_choices_are_those_of_the_library() -> None:
     assert sorted(PATHS) == sorted(LIBRARY_PATHS)
     assert film.STYLES == STYLES
+    assert film.SIZES == SIZES
     way = parsers()["morph"]
     strategies = next(a.choices for a in way._actions if a.dest == "strategy")
     assert strategies == get_args(Strategy)
@@ -176,7 +179,7 @@ def test_a_clockwise_curve_is_taken_the_other_way_round_and_info_says_so(run: Ru
 
 
 def test_above_200_vertices_triangulations_are_counted_when_asked_only(run: Run) -> None:
-    curve = gallery.curve("ell").insert_vertices(commands.MOST_COUNTED + 1)
+    curve = gallery.curve("ell").insert_vertices(MOST_COUNTED + 1)
     io.write_curve("long.csv", curve)
     assert "--count counts them" in run("info long.csv")[1]
     assert json.loads(run("info long.csv --json")[1])["triangulations"] is None
@@ -425,6 +428,7 @@ FAULTS = [
     ("morph gallery:ell disk -o kept.gif --fps 101", "from 1 to 100"),
     ("morph gallery:ell disk -o kept.gif --fps 100", "50 in a GIF"),
     ("morph gallery:ell disk -o kept.gif --size 5", "480 or 640x480"),
+    ("morph gallery:ell disk -o kept.gif --size 2049", "from 16 to 2048"),
     ("morph gallery:ell disk -o kept.gif --size 64x", "480 or 640x480"),
     ("morph gallery:comb gallery:winding_3 -o kept.gif --strategy common", "no common triangulation"),
     ("certify none.npz", "none.npz"),
@@ -454,6 +458,17 @@ def test_what_is_wrong_is_said_in_one_line_and_no_file_is_touched(line: str, wor
     assert err.count("\n") == 1
     assert words in err
     assert {path: path.is_file() and path.read_bytes() for path in Path().iterdir()} == before
+
+
+@pytest.mark.parametrize(("name", "fps"), [("film.gif", 60), ("film.mp4", 25)])
+def test_a_film_that_cannot_be_made_is_refused_before_the_morph(
+    name: str, fps: int, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(commands, "morph_between", None)
+    monkeypatch.setattr("tween.animate._ffmpeg", Mock(side_effect=tween.FileError("there is no ffmpeg")))
+    status, out, err = run(f"morph gallery:ell disk -o {name} --fps {fps}")
+    assert (status, out) == (2, "")
+    assert re.fullmatch(rf"tween: {name}: (fps is 60, .+|there is no ffmpeg)\n", err)
 
 
 @pytest.mark.parametrize("kind", MALFORMED)

@@ -100,10 +100,39 @@ def save_animation(
     ess.gif 9
     """
     shown = film(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale)
-    folder = Path(path).resolve().parent
-    if not folder.is_dir():
-        raise FileError(f"{os.fspath(path)}: there is no folder {str(folder)!r}")
+    check_format(path, fps)
     return files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
+
+
+def check_format(path: str | os.PathLike[str], fps: float) -> None:
+    """Refuse, before there is a morph, a file that `save_animation` could not write.
+
+    Parameters
+    ----------
+    path : path-like
+    fps : float
+
+    Raises
+    ------
+    FileError
+        Where the suffix is unknown, there is no such folder, the format cannot be so fast, or the program that makes
+        it is missing.
+
+    Examples
+    --------
+    >>> check_format("film.gif", fps=60)
+    Traceback (most recent call last):
+    ...
+    tween.errors.FileError: film.gif: fps is 60, expected at most 50 in a GIF
+    """
+    with files.naming(path):
+        suffix, folder = files.suffix_of(path, _ENCODERS), Path(path).resolve().parent
+        if not folder.is_dir():
+            raise FileError(f"there is no folder {str(folder)!r}")
+        if suffix == ".gif" and fps > _GIF_FASTEST:
+            raise FileError(f"fps is {fps:g}, expected at most {_GIF_FASTEST} in a GIF")
+        if suffix == ".mp4":
+            _ffmpeg()
 
 
 def formats() -> tuple[str, ...]:
@@ -142,8 +171,6 @@ def _encoded(shown: Film, images: list[Image.Image], unit: int, **options: objec
 
 
 def _gif(shown: Film) -> bytes:
-    if shown.fps > _GIF_FASTEST:
-        raise FileError(f"fps is {shown.fps:g}, expected at most {_GIF_FASTEST} in a GIF")
     images = _pictures(shown)
     palette = _palette(images)
     few = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]

@@ -22,10 +22,8 @@ from tween.decomposition import triangulate as delaunay
 from tween.errors import FileError, NotSelfOverlappingError, TweenError
 from tween.morph import morph as morph_between
 from tween.motion import Morph
+from tween.stroke import MOST_COUNTED
 from tween.triangulation import Triangulation
-
-MOST_COUNTED = 200
-"""Vertices up to which `info` counts triangulations unasked: beyond, it may take a while."""
 
 _TRIANGULATIONS = (".obj", ".json", ".npz", ".svg")
 _FRAMES = (".npz", ".json", ".csv")
@@ -175,6 +173,7 @@ def _writer(options: argparse.Namespace) -> Callable[[Morph], object]:
     from tween import animate  # here, as it imports matplotlib
 
     _check_output(options.output, (*animate.formats(), *_FRAMES), inputs)
+    animate.check_format(options.output, options.fps)
     chosen = {name: getattr(options, name) for name in ("frames", "fps", "size", "style", "ease")}
     return lambda m: animate.save_animation(options.output, m, **chosen, there_and_back=not options.once)
 

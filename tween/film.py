@@ -27,7 +27,9 @@ OPACITY = 0.45
 """Of one layer of a disk."""
 
 _MARGIN = 0.04  # of the longer side, on every side
-_SIZES = (16, 2048)  # pixels
+SIZES = (16, 2048)
+"""Pixels of a side, least and most."""
+
 _SLOWEST, _FASTEST = 0.1, 100  # frames a second
 _LONGEST = 30  # seconds of rest; some formats cannot hold a minute
 _LIGHT_INK = "0.9"  # on dark backgrounds
@@ -177,7 +179,7 @@ def film(
 
 def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:
     """Name the option that is none, and what was expected."""
-    low, high = _SIZES
+    low, high = SIZES
     sides = size if isinstance(size, tuple | list) and len(size) == 2 else (size,)
     for name, value, right, expected in (
         ("m", type(m), isinstance(m, Morph), "a Morph, as tween.morph makes"),

@@ -14,6 +14,7 @@ from typing import Any, NoReturn
 
 PATHS = ("metric", "slide", "linear", "angle", "area")
 STYLES = ("triangles", "outline", "fill")
+SIZES = (16, 2048)
 
 _SHAPE = (
     "a .svg, .csv, .json, .geojson, .npz or .npy file; or gallery:NAME, letter:X, pair:NAME/source, see tween gallery"
@@ -283,6 +284,7 @@ def _length(text: str) -> float:
 def _size(text: str) -> int | tuple[int, int]:
     found = re.fullmatch(r"([0-9]{2,4})(?:x([0-9]{2,4}))?", text)
     sides = [int(side) for side in found.groups() if side] if found else []
-    if not sides or not all(16 <= side <= 4096 for side in sides):
-        raise argparse.ArgumentTypeError(f"expected pixels from 16 to 4096, such as 480 or 640x480, found {text!r}")
+    if not sides or not all(SIZES[0] <= side <= SIZES[1] for side in sides):
+        expected = f"pixels from {SIZES[0]} to {SIZES[1]}, such as 480 or 640x480"
+        raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}")
     return sides[0] if len(sides) == 1 else (sides[0], sides[1])

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from shapely.ops import polylabel
 
 from tween.curve import Curve, as_curve
-from tween.metrics import area_matrix, rank_of, vertex_sums
+from tween.metrics import area_matrix, rank_of, singular_values, vertex_sums
 from tween.motion import Morph
 from tween.plot import FAILURE, INK, SOURCE, regions
 from tween.triangulation import Triangulation
@@ -187,7 +187,7 @@ def draw_singular_values(
     Mukherjee and Gopi, Section 7.
     """
     ax = plt.gca() if ax is None else ax
-    values = np.linalg.svd(_areas(m, frames), compute_uv=False)
+    values = singular_values(_areas(m, frames))
     shares = values / values[0]
     ax.semilogy(np.arange(1, len(shares) + 1), shares, "o", color=INK, markersize=3, markeredgewidth=0)
     for rtol in rtols:

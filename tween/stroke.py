@@ -18,6 +18,9 @@ from tween.generators import evenly, on_grid
 
 BOX = 1000
 
+MOST_COUNTED = 200
+"""Vertices up to which triangulations are counted unasked: beyond, it may take a while."""
+
 _FEWEST, _MOST, _STEP = 60, 120, 25.0  # vertices of a curve drawn by hand, and the length of an edge in between
 _FINE, _ENDS = 400, 40  # points of a stroke, and how many of them may be cut off at each end
 _CLOSE = 0.05 * BOX  # how close to each other the cut ends have to be
@@ -136,8 +139,10 @@ def judge(points: Curve | ArrayLike, drawn: bool = False) -> Shape:
     answer = decompose(curve)
     k = curve.turning_number
     if answer:
-        words = f"Bounds an immersed disk. {len(curve)} vertices, {many(len(curve.crossings), 'crossing')}, "
-        words += f"{_roughly(answer.count)} triangulations."
+        facts = [f"{len(curve)} vertices", many(len(curve.crossings), "crossing")]
+        if len(curve) <= MOST_COUNTED:
+            facts.append(f"{_roughly(answer.count)} triangulations")
+        words = f"Bounds an immersed disk. {', '.join(facts)}."
     elif k == 0:
         words = "Bounds no disk: it turns as much to the right as to the left, and the boundary of a disk turns once."
     elif k > 1:
