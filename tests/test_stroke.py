@@ -7,8 +7,9 @@ import pytest
 from numpy.typing import NDArray
 from strokes import bows, circle, eight, traced, twice
 
+from tween import gallery
+from tween.app.playground.hand_drawn import from_stroke, judge
 from tween.errors import CurveError
-from tween.stroke import from_stroke, judge
 
 # Strokes
 
