@@ -15,7 +15,7 @@ UV := .cache/uv/bin/uv
 NOTEBOOKS := $(wildcard notebooks/*.ipynb)
 
 # Numba's cache does not notice a change in another file, so each state of the sources has a cache of its own.
-SOURCES_SUM := $(shell cat tween/*.py 2>/dev/null | cksum | cut -d' ' -f1)
+SOURCES_SUM := $(shell find tween -name '*.py' -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 cat | cksum | cut -d' ' -f1)
 export NUMBA_CACHE_DIR := $(CURDIR)/.cache/numba/$(SOURCES_SUM)
 # Figures go to files, so no screen is needed; a notebook's go into the notebook, and with Agg they would silently be lost.
 export MPLBACKEND := Agg

@@ -1,7 +1,7 @@
 """Figure 11 in motion: each pair of the gallery there and back, as a GIF in results/animations/, and a player.
 
 Every shape is as large as the others, as in the figure.  The flips come so close together that evenly spaced
-times would show two or three shapes while they happen; so a third of the shapes are spent on them, in slow motion.
+times would show two or three shapes while they happen; so a third of the shapes are spent on them, in slow morph.
 """
 
 import argparse

@@ -28,15 +28,14 @@ from tween import (
     decompose,
     gallery,
     morph,
-    orient2d,
     remesh,
     triangulate,
     verify,
 )
-from tween.costs import edge_length
-from tween.paths import PATHS, Path
-from tween.predicates import turn
-from tween.sequence import flip_sequence
+from tween.geometry.predicates import orient2d, turn
+from tween.morphing.compatible.paths import PATHS, Path
+from tween.morphing.incompatible.flip_sequence import flip_sequence
+from tween.triangulating.costs import edge_length
 
 SEED = 7
 

@@ -21,7 +21,7 @@ from scipy.interpolate import CubicSpline
 from experiments.bench import SEED, Timing, report, seconds, spiral_strip
 from experiments.store import RESULTS, write_csv
 from tween import Curve, Triangulation, decompose, gallery, morph, triangulate
-from tween.reduction import reduce_curve
+from tween.triangulating.reduction import reduce_curve
 
 cdt: Any = import_module("pythoncdt") if find_spec("pythoncdt") else None
 

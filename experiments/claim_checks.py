@@ -19,17 +19,17 @@ from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 import tween
+from experiments.baselines import edge_angle, straight
 from experiments.flips import flip_graph, polygon
 from experiments.store import compute, rng_for
 from experiments.table1 import shape, shapes
-from tween import Triangulation, area_matrix, decompose, flip, gallery, morph, verify
-from tween.baselines import edge_angle, straight
-from tween.costs import smallest_angle
-from tween.dual import disk_center, hops, rooted
-from tween.flips import flip_in_place
-from tween.gradual import Flow, Order
-from tween.paths import Path, slides, third_vertices
-from tween.sequence import crossing_counts, flip_sequence
+from tween import Triangulation, area_matrix, decompose, gallery, morph, verify
+from tween.geometry.dual_tree import disk_center, hops, rooted
+from tween.morphing.compatible.paths import Path, slides, third_vertices
+from tween.morphing.incompatible.flip_sequence import crossing_counts, flip_sequence
+from tween.morphing.incompatible.flow import Flow, Order
+from tween.triangulating.costs import smallest_angle
+from tween.triangulating.flips import flip, flip_in_place
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,
@@ -99,7 +99,7 @@ def swapped(T: Triangulation, rng: np.random.Generator) -> int:
     """How many of a series of random valid swaps leave a valid triangulation."""
     valid = 0
     for _ in range(PARAMETERS["swaps"]):
-        T = flip(T, tuple(rng.choice(T.diagonals[tween.flippable(T)]).tolist()))
+        T = flip(T, tuple(rng.choice(T.diagonals[tween.flips.flippable(T)]).tolist()))
         valid += verify(T.points, T.triangles).valid
     return valid
 
@@ -107,7 +107,7 @@ def swapped(T: Triangulation, rng: np.random.Generator) -> int:
 def remeshed_one_by_one(T: Triangulation) -> dict[str, int]:
     """Flip what is not locally Delaunay until nothing is left; how many flips enlarge the sorted angles."""
     flips, larger, before = 0, 0, sorted_angles(T)
-    while not (fine := tween.locally_delaunay(T)).all():
+    while not (fine := tween.flips.locally_delaunay(T)).all():
         T = flip(T, tuple(T.diagonals[~fine][0].tolist()))
         after = sorted_angles(T)
         change = (after - before)[np.abs(after - before) > 1e-14]

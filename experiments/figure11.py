@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.table1 import PAPER, PARAMETERS, QUANTILES, measures, percentile, shape, shapes
-from tween import IncompatibleError, Morph, Triangulation, align, area_matrix, decompose, gallery, morph
-from tween.triangulation import match_rows
+from tween import Morph, Triangulation, align, area_matrix, decompose, gallery, morph
+from tween.errors import IncompatibleError
+from tween.triangulating.compatibility import match_rows
 
 ROWS = (1, 3, 4, 7)
 TOLERANCES = PARAMETERS["tolerances"]

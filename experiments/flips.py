@@ -12,8 +12,9 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, write_csv
-from tween import Triangulation, decompose, flip
-from tween.sequence import count_crossings, flip_sequence
+from tween import Triangulation, decompose
+from tween.morphing.incompatible.flip_sequence import count_crossings, flip_sequence
+from tween.triangulating.flips import flip
 
 SIZES = [str(n) for n in range(4, 10)]
 

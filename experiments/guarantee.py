@@ -16,22 +16,11 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from experiments.baselines import BASELINES
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from tween import (
-    Morph,
-    area_matrix,
-    area_rank,
-    certify,
-    frame_variance,
-    gallery,
-    morph,
-    remesh,
-    triangulate,
-    verify,
-)
-from tween.baselines import BASELINES
-from tween.costs import conformal_distortion
-from tween.paths import PATHS
+from tween import Morph, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate, verify
+from tween.morphing.compatible.paths import PATHS
+from tween.triangulating.costs import conformal_distortion
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,

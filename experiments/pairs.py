@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, write_csv
 from experiments.table1 import shape, shapes
-from tween import Curve, Morph, align, area_matrix, area_rank, frame_variance, morph, orient2d
+from tween import Curve, Morph, align, area_matrix, area_rank, frame_variance, morph
 from tween.errors import IncompatibleError
+from tween.geometry.predicates import orient2d
 
 PARAMETERS: dict[str, Any] = {"frames": 100, "paths": ["slide", "linear"], "tolerance": 1e-4}
 

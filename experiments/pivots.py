@@ -15,9 +15,10 @@ import pandas as pd
 
 from experiments.store import RESULTS, compute, write_csv
 from tween import Curve, area_matrix, area_rank, frame_variance, gallery, morph
-from tween.align import equal_counts, pivot_shift
-from tween.sequence import crossings_by_shift
-from tween.triangulation import Triangulation
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.alignment import equal_counts
+from tween.morphing.incompatible.flip_sequence import crossings_by_shift
+from tween.morphing.incompatible.pivots import pivot_shift
 
 PARAMETERS: dict[str, Any] = {"frames": 100, "path": "slide", "tolerance": 1e-4, "spread": 8}
 MEASURES = ["crossings", "flips", "finish", "AR_1e-4", "Var"]

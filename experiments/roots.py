@@ -31,11 +31,11 @@ from scipy.stats import spearmanr
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.table1 import percentile, shape, shapes
 from tween import Triangulation, area_matrix, frame_variance, morph, remesh, triangulate, verify
-from tween.dual import RootedTree, disk_center, hops, rooted, tree_center
-from tween.generators import random_disk
-from tween.metrics import rank_of
-from tween.paths import Path
-from tween.triangulation import arc_gaps
+from tween.gallery.generators import random_disk
+from tween.geometry.dual_tree import RootedTree, disk_center, hops, rooted, tree_center
+from tween.geometry.triangulation import arc_gaps
+from tween.measuring.metrics import rank_of
+from tween.morphing.compatible.paths import Path
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,

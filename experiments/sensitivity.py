@@ -22,11 +22,11 @@ from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.table1 import PARAMETERS as TABLE_1
 from experiments.table1 import ToDisk, percentile, shape, shapes
 from tween import Decomposition, Triangulation, decompose, frame_variance, remesh
-from tween.compatible import root_triangle
-from tween.costs import edge_length, smallest_angle
-from tween.dual import rooted
-from tween.metrics import rank_of
-from tween.paths import Path, slides
+from tween.geometry.dual_tree import rooted
+from tween.measuring.metrics import rank_of
+from tween.morphing.compatible.leg import root_triangle
+from tween.morphing.compatible.paths import Path, slides
+from tween.triangulating.costs import edge_length, smallest_angle
 
 PARAMETERS: dict[str, Any] = {"seed": TABLE_1["seed"], "samples": 200, "fewer": 100}
 TOLERANCES = ("1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-8", "1e-9", "1e-10", "1e-12")

@@ -68,10 +68,10 @@ class Checkpoint:
     """
 
     def __init__(self, study: str, parameters: dict[str, Any]) -> None:
-        sources = sorted([*(ROOT / "tween").glob("*.py"), *(ROOT / "experiments").rglob("*.py")])
         digest = hashlib.sha256(json.dumps(parameters, sort_keys=True).encode())
-        for source in sources:
-            digest.update(source.read_bytes())
+        for folder in ("tween", "experiments"):
+            for source in sorted((ROOT / folder).rglob("*.py")):
+                digest.update(source.read_bytes())
         self._study = ROOT / ".cache" / "studies" / study
         self._folder = self._study / digest.hexdigest()[:16]
 

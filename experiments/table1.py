@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, remesh
-from tween.compatible import Leg, root_triangle
-from tween.metrics import rank_of
-from tween.paths import Path
+from tween.measuring.metrics import rank_of
+from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.compatible.paths import Path
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,

@@ -7,9 +7,9 @@ import zipfile
 
 import numpy as np
 
-from tween.files import LARGEST_FILE
-from tween.svg import DEEPEST, MOST_ELEMENTS
-from tween.svgpath import MOST_POINTS
+from tween.io.svg import DEEPEST, MOST_ELEMENTS
+from tween.io.svg_path import MOST_POINTS
+from tween.io.whole_files import LARGEST_FILE
 
 SQUARE = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tween import Triangulation
 from tween.gallery import random_disk
-from tween.predicates import EXACT_RANGE
+from tween.geometry.predicates import EXACT_RANGE
 
 Points = list[tuple[float, float]]
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween import gallery
-from tween.footage import fit
+from tween.app.playground.footage import fit
 
 LOOP, DISK = {"name": "loop"}, {"name": "disk"}
 

@@ -15,23 +15,13 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from strategies import convex_triangulations, disks, random_polygons
 
-from tween import (
-    Alignment,
-    Curve,
-    IncompatibleError,
-    NotSelfOverlappingError,
-    Triangulation,
-    align,
-    decompose,
-    morph,
-    pivot_vertex,
-    spine,
-    triangulate,
-)
-from tween.align import common
-from tween.costs import distortion
+from tween import Alignment, Curve, NotSelfOverlappingError, Triangulation, align, decompose, morph, triangulate
+from tween.errors import IncompatibleError
 from tween.gallery import curve, letter, names, random_disk
-from tween.splits import is_small
+from tween.morphing.alignment import common
+from tween.morphing.incompatible.pivots import pivot_vertex, spine
+from tween.triangulating.costs import distortion
+from tween.triangulating.table import is_small
 
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]
 PAIRS = [
@@ -432,7 +422,7 @@ def test_a_curve_without_a_triangulation_has_no_optimum() -> None:
 def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.MonkeyPatch) -> None:
     pair = curve("arrow"), letter("c")  # common triangulations, but not as the pivots have it
     assert not morph(*pair).events
-    monkeypatch.setattr(sys.modules["tween.morph"], "_MOST_RENUMBERED", 20)
+    monkeypatch.setattr(sys.modules["tween.morphing.strategy"], "_MOST_RENUMBERED", 20)
     assert morph(*pair).events
     assert not morph(*pair, strategy="common").events
 

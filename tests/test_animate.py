@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tween import FileError, Morph, TweenError, animate, morph
-from tween.animate import formats, save_animation
-from tween.film import film
+from tween import Morph, TweenError, morph
+from tween.errors import FileError
 from tween.gallery import pair
-from tween.raster import picture
+from tween.plot import animation
+from tween.plot.animation import formats, save_animation
+from tween.plot.film import film
+from tween.plot.pixels import picture
 
 PICTURES = (".gif", ".png", ".apng", ".webp")
 SMALL: dict[str, Any] = {"frames": 6, "size": 64}
@@ -128,7 +130,7 @@ def test_a_failure_leaves_an_existing_file_untouched(
 ) -> None:
     path = tmp_path / f"a{suffix}"
     path.write_text("precious")
-    monkeypatch.setattr(animate, "picture", fail)
+    monkeypatch.setattr(animation, "picture", fail)
     with pytest.raises((TweenError, ValueError)):
         save_animation(path, m, **SMALL | ({"fps": 0} if failure == "option" else {}))
     assert path.read_text() == "precious"

@@ -12,9 +12,9 @@ import pytest
 from PIL import Image
 
 from tween import Morph, morph
-from tween.animate_svg import player, svg
-from tween.film import film
 from tween.gallery import pair
+from tween.plot.film import film
+from tween.plot.moving_svg import player, svg
 
 STYLES = ("triangles", "outline", "fill")
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", "chrome"))), None)

@@ -11,10 +11,11 @@ from scipy.linalg import polar
 from scipy.optimize import minimize
 from strategies import disks
 
-from tween import IncompatibleError, Morph, Triangulation, TriangulationError, area_matrix, morph, triangulate
-from tween.baselines import BASELINES, as_rigid_as_possible, edge_angle, straight
+from experiments.baselines import BASELINES, as_rigid_as_possible, edge_angle, straight
+from tween import Morph, Triangulation, area_matrix, morph, triangulate
+from tween.errors import IncompatibleError, TriangulationError
 from tween.gallery import curve, pair, random_disk
-from tween.generators import evenly, zigzag
+from tween.gallery.generators import evenly, zigzag
 
 METHODS = list(BASELINES.values())
 TIMES = np.array([0.0, 0.1, 0.35, 0.5, 0.8, 1.0])

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from tween import Triangulation, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate
-from tween.budgets import proved_budgets
-from tween.compatible import Leg, root_triangle
 from tween.errors import TriangulationError
-from tween.paths import PATHS
+from tween.morphing.compatible.angle_budgets import proved_budgets
+from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.compatible.paths import PATHS
 
 every_path = pytest.mark.parametrize("path", PATHS)
 TIMES = np.linspace(0, 1, 61)
@@ -113,7 +113,7 @@ def test_with_a_guarantee_flips_keep_the_disk_too(pair: str, path: str) -> None:
 
 
 def spread(corners, first, last, wanted) -> list[set[int]]:
-    """Grow the set of vertices as `tween.budgets` explains it, without any shortcut; returns all its stages."""
+    """Grow the set of vertices as `angle_budgets` explains it, without any shortcut; returns all its stages."""
     stages: list[set[int]] = [set()]
     times = np.linspace(0, 1, 129)
     while True:

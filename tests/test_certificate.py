@@ -13,9 +13,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from strategies import disks, random_polygons
 
-from tween import Triangulation, TriangulationError, certificate, morph, remesh, triangulate
-from tween.certificate import certify, verify
+from tween import Triangulation, morph, remesh, triangulate
+from tween.errors import TriangulationError
 from tween.gallery import curve, names, pair, random_disk
+from tween.measuring import certificate
+from tween.measuring.certificate import certify, verify
 
 TAU = 2 * np.pi
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]

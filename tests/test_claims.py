@@ -10,7 +10,7 @@ import pytest
 from experiments import claim_checks, claims, store
 from experiments.flips import flip_graph, polygon
 from tween import decompose
-from tween.sequence import count_crossings
+from tween.morphing.incompatible.flip_sequence import count_crossings
 
 TABLE = pd.read_csv(store.RESULTS / "claims.csv", keep_default_na=False)
 WANTED = {

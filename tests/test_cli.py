@@ -13,6 +13,7 @@ from collections.abc import Callable
 from itertools import chain
 from pathlib import Path
 from typing import Any, get_args
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -22,10 +23,14 @@ from malformed import MALFORMED
 from PIL import Image
 
 import tween
-from tween import cli, commands, film, gallery, io, named
-from tween.morph import Strategy
-from tween.options import PATHS, STYLES, build_parser
-from tween.paths import PATHS as LIBRARY_PATHS
+from tween import gallery, io
+from tween.app.command_line import commands, curve_names
+from tween.app.command_line import main as command_line
+from tween.app.command_line.options import PATHS, SIZES, STYLES, build_parser
+from tween.app.playground.hand_drawn import MOST_COUNTED
+from tween.morphing.compatible.paths import PATHS as LIBRARY_PATHS
+from tween.morphing.strategy import Strategy
+from tween.plot import animation, film
 
 ROOT = Path(__file__).resolve().parent.parent
 EIGHT = [[0, 0], [2, 2], [2, 0], [0, 2]]
@@ -40,7 +45,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     monkeypatch.chdir(tmp_path)
 
     def runs(line: str, *words: str) -> tuple[int, str, str]:
-        status = cli.main([*shlex.split(line), *words])
+        status = command_line.main([*shlex.split(line), *words])
         return (status, *capsys.readouterr())
 
     return runs
@@ -93,6 +98,7 @@ def test_tween_alone_shows_the_help_and_counts_as_misuse(run: Run) -> None:
 def test_the_choices_are_those_of_the_library() -> None:
     assert sorted(PATHS) == sorted(LIBRARY_PATHS)
     assert film.STYLES == STYLES
+    assert film.SIZES == SIZES
     way = parsers()["morph"]
     strategies = next(a.choices for a in way._actions if a.dest == "strategy")
     assert strategies == get_args(Strategy)
@@ -176,7 +182,7 @@ def test_a_clockwise_curve_is_taken_the_other_way_round_and_info_says_so(run: Ru
 
 
 def test_above_200_vertices_triangulations_are_counted_when_asked_only(run: Run) -> None:
-    curve = gallery.curve("ell").insert_vertices(commands.MOST_COUNTED + 1)
+    curve = gallery.curve("ell").insert_vertices(MOST_COUNTED + 1)
     io.write_curve("long.csv", curve)
     assert "--count counts them" in run("info long.csv")[1]
     assert json.loads(run("info long.csv --json")[1])["triangulations"] is None
@@ -275,10 +281,9 @@ def test_without_certify_the_last_line_says_what_is_known(run: Run) -> None:
 
 
 def test_the_options_of_the_film_reach_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    from tween import animate
 
     seen: dict[str, Any] = {}
-    monkeypatch.setattr(animate, "save_animation", lambda path, m, **options: seen.update(options))
+    monkeypatch.setattr(animation, "save_animation", lambda path, m, **options: seen.update(options))
     line = "--frames 9 --fps 12 --size 64x48 --style outline --no-ease --once"
     assert run(f"morph gallery:ell disk -o m.gif {line}")[0] == 0
     assert seen == {
@@ -349,7 +354,7 @@ def test_the_gallery_lists_everything_by_names_that_are_understood(run: Run) -> 
     for entry in chain.from_iterable(listed.values()):
         assert re.search(rf"^  {re.escape(entry['name'])} .*{re.escape(entry['about'])}$", out, re.MULTILINE)
         ends = ("/source", "/target") if isinstance(entry["vertices"], list) else ("",)
-        found = [len(named.read_shape(entry["name"] + end)) for end in ends]
+        found = [len(curve_names.read_shape(entry["name"] + end)) for end in ends]
         assert found == np.atleast_1d(entry["vertices"]).tolist()
 
 
@@ -359,7 +364,7 @@ def test_a_curve_of_the_gallery_is_written(word: str, run: Run) -> None:
     assert entry["written"] == "out.json"
     curve = io.read_curve("out.json")
     assert len(curve) == entry["vertices"]
-    assert np.array_equal(curve.points, named.read_shape(entry["name"]).points)
+    assert np.array_equal(curve.points, curve_names.read_shape(entry["name"]).points)
 
 
 def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
@@ -425,6 +430,7 @@ FAULTS = [
     ("morph gallery:ell disk -o kept.gif --fps 101", "from 1 to 100"),
     ("morph gallery:ell disk -o kept.gif --fps 100", "50 in a GIF"),
     ("morph gallery:ell disk -o kept.gif --size 5", "480 or 640x480"),
+    ("morph gallery:ell disk -o kept.gif --size 2049", "from 16 to 2048"),
     ("morph gallery:ell disk -o kept.gif --size 64x", "480 or 640x480"),
     ("morph gallery:comb gallery:winding_3 -o kept.gif --strategy common", "no common triangulation"),
     ("certify none.npz", "none.npz"),
@@ -454,6 +460,17 @@ def test_what_is_wrong_is_said_in_one_line_and_no_file_is_touched(line: str, wor
     assert err.count("\n") == 1
     assert words in err
     assert {path: path.is_file() and path.read_bytes() for path in Path().iterdir()} == before
+
+
+@pytest.mark.parametrize(("name", "fps"), [("film.gif", 60), ("film.mp4", 25)])
+def test_a_film_that_cannot_be_made_is_refused_before_the_morph(
+    name: str, fps: int, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(commands, "morph_between", None)
+    monkeypatch.setattr("tween.plot.animation._ffmpeg", Mock(side_effect=tween.errors.FileError("there is no ffmpeg")))
+    status, out, err = run(f"morph gallery:ell disk -o {name} --fps {fps}")
+    assert (status, out) == (2, "")
+    assert re.fullmatch(rf"tween: {name}: (fps is 60, .+|there is no ffmpeg)\n", err)
 
 
 @pytest.mark.parametrize("kind", MALFORMED)
@@ -541,7 +558,7 @@ def test_no_line_of_words_leads_to_a_traceback(
     before = Path.cwd()
     os.chdir(folder)
     try:
-        assert cli.main([command, *words] if command else words) in (0, 1, 2)
+        assert command_line.main([command, *words] if command else words) in (0, 1, 2)
     finally:
         os.chdir(before)
 
@@ -551,8 +568,8 @@ def test_no_line_of_words_leads_to_a_traceback(
 def test_no_file_leads_to_a_traceback(tmp_path_factory: pytest.TempPathFactory, suffix: str, content: bytes) -> None:
     path = tmp_path_factory.getbasetemp() / f"bytes{suffix}"
     path.write_bytes(content)
-    assert cli.main(["info", str(path)]) in (0, 1, 2)
-    assert cli.main(["certify", str(path)]) in (0, 1, 2)
+    assert command_line.main(["info", str(path)]) in (0, 1, 2)
+    assert command_line.main(["certify", str(path)]) in (0, 1, 2)
 
 
 # As a program of its own

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from tween import costs, decompose, gallery
-from tween.costs import Cost
+from tween import decompose, gallery
+from tween.triangulating import costs
+from tween.triangulating.costs import Cost
 
 SHAPES = [gallery.random_disk(9, np.random.default_rng(seed)).curve for seed in range(6)]
 MAKERS = {

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from strategies import Points, generic_polygons, grid_polygons, polygons, random_polygons, short_polygons
 
 from tween import Curve, CurveError, TweenError
-from tween.curve import as_curve, turning_number
 from tween.gallery import curve, names
-from tween.predicates import EXACT_RANGE
+from tween.geometry.curve import as_curve, turning_number
+from tween.geometry.predicates import EXACT_RANGE
 
 NAN, INF = float("nan"), float("inf")
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -109,7 +109,7 @@ def commands(text: str) -> list[tuple[str, str]]:
 
 def run_console(block: Block, capsys: pytest.CaptureFixture[str]) -> list[str]:
     """Run the commands of a console that are ours, and compare their answers where the page shows any."""
-    from tween.cli import main
+    from tween.app.command_line.main import main
 
     complaints = []
     for command, shown in commands(block.text):

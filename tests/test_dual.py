@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from strategies import convex_triangulations, disks
 
 from tween import Triangulation
-from tween.dual import disk_center, hops, rooted, tree_center
 from tween.gallery import random_disk
+from tween.geometry.dual_tree import disk_center, hops, rooted, tree_center
 
 SQUARE = Triangulation([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
 shapes = st.one_of(convex_triangulations(), disks())

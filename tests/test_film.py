@@ -8,9 +8,9 @@ import pytest
 from matplotlib.colors import to_rgb
 
 from tween import Morph, morph, triangulate
-from tween.film import Film, film
 from tween.gallery import curve, pair
-from tween.plot import SOURCE, TARGET, identity_colors
+from tween.plot.film import Film, film
+from tween.plot.shapes import SOURCE, TARGET, identity_colors
 
 
 @pytest.fixture(scope="module")

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import Points, convex_triangulations, disks, grid_polygons, mirror_polygons, polygons
 
-from tween import Triangulation, decompose, flip, flippable, locally_delaunay, remesh
+from tween import Triangulation, decompose, remesh
 from tween.gallery import curve, names, random_disk
+from tween.triangulating.flips import flip, flippable, locally_delaunay
 
 DART = Triangulation([(0, 0), (2, 0), (0.5, 0.5), (0, 2)], [(0, 1, 2), (0, 2, 3)])
 

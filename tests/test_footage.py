@@ -5,9 +5,10 @@ import re
 
 import numpy as np
 
-from tween import gallery, morph, vertex_sums
-from tween.footage import FRAMES, footage
-from tween.stroke import BOX
+from tween import gallery, morph
+from tween.app.playground.footage import FRAMES, footage
+from tween.app.playground.hand_drawn import BOX
+from tween.measuring.metrics import vertex_sums
 
 
 def test_the_largest_sum_of_angles_is_shown_with_its_vertex() -> None:

@@ -10,13 +10,13 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tween import gallery
-from tween.curve import Curve
-from tween.decomposition import decompose
 from tween.errors import CurveError, TriangulationError
-from tween.flips import remesh
-from tween.io import read_stroke
-from tween.predicates import incircle, orient2d
-from tween.triangulation import Triangulation
+from tween.geometry.curve import Curve
+from tween.geometry.predicates import incircle, orient2d
+from tween.geometry.triangulation import Triangulation
+from tween.io.read_write import read_stroke
+from tween.triangulating.decomposition import decompose
+from tween.triangulating.flips import remesh
 
 SIMPLE = ("convex", "arrow", "ell", "comb", "ess", "spiral_1", "spiral_2")
 ONE_STROKE_APART = ("C", "U", "c")

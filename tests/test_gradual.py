@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from tween import (
     Curve,
-    Event,
-    IncompatibleError,
     Morph,
     NotSelfOverlappingError,
     Triangulation,
@@ -21,13 +19,14 @@ from tween import (
     area_matrix,
     decompose,
     morph,
-    orient2d,
     triangulate,
 )
+from tween.errors import IncompatibleError
 from tween.gallery import curve, letter
-from tween.gradual import Flow
-from tween.paths import PATHS
-from tween.sequence import FlipSequence, flip_sequence
+from tween.geometry.predicates import orient2d
+from tween.morphing.compatible.paths import PATHS
+from tween.morphing.incompatible.flip_sequence import FlipSequence, flip_sequence
+from tween.morphing.incompatible.flow import Event, Flow
 
 # Different sizes but for two; all but "convex" with reflex vertices; vertices inserted on either.
 PAIRS = [

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from tween import Triangulation, TweenError, decompose, gallery, locally_delaunay, remesh
+from tween import Triangulation, TweenError, decompose, gallery, remesh
 from tween.errors import NotSelfOverlappingError
+from tween.triangulating.flips import locally_delaunay
 
 CURVES = {name: gallery.curve(name) for name in gallery.names()} | {f"letter {x}": gallery.letter(x) for x in "DJSeoz"}
 DISKS = {"two_disks": 2, "five_disks": 5}

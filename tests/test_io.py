@@ -14,12 +14,9 @@ from malformed import MALFORMED, SQUARE, npy, npz, svg
 from strategies import exact_doubles
 
 from tween import gallery
-from tween.curve import Curve
-from tween.decomposition import decompose, triangulate
 from tween.errors import CurveError, FileError
-from tween.files import LARGEST_FILE
-from tween.flips import remesh
-from tween.io import (
+from tween.geometry.curve import Curve
+from tween.io.read_write import (
     read_curve,
     read_curves,
     read_frames,
@@ -28,8 +25,11 @@ from tween.io import (
     write_frames,
     write_triangulation,
 )
-from tween.morph import morph
-from tween.svgpath import MOST_POINTS
+from tween.io.svg_path import MOST_POINTS
+from tween.io.whole_files import LARGEST_FILE
+from tween.morphing.strategy import morph
+from tween.triangulating.decomposition import decompose, triangulate
+from tween.triangulating.flips import remesh
 
 FIXTURES = Path(__file__).parent / "fixtures"
 CURVE_SUFFIXES = (".svg", ".csv", ".json", ".geojson", ".npz", ".npy")
@@ -413,11 +413,11 @@ def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch, what, failing):
     path = saved(tmp_path, "shape.npz", b"what was there")
     write = writers()[what]
     if failing == "rename":
-        monkeypatch.setattr("tween.files.os.replace", fail)
+        monkeypatch.setattr("tween.io.whole_files.os.replace", fail)
     elif failing == "write":
-        monkeypatch.setattr("tween.files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
+        monkeypatch.setattr("tween.io.whole_files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
     else:
-        monkeypatch.setattr("tween.io.npz_bytes", fail)
+        monkeypatch.setattr("tween.io.read_write.npz_bytes", fail)
     assert complaint(path, write) == "No space left on device"
     assert path.read_bytes() == b"what was there"
     assert os.listdir(tmp_path) == ["shape.npz"]
@@ -451,7 +451,7 @@ def test_a_lack_of_memory_is_answered_by_one_line(tmp_path, monkeypatch):
     def lack(_):
         raise MemoryError
 
-    monkeypatch.setattr("tween.io.content_of", lack)
+    monkeypatch.setattr("tween.io.read_write.content_of", lack)
     assert complaint(saved(tmp_path, "a.csv", "0,0"), read_curve) == "needs more memory than there is"
 
 

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tween import area_matrix, area_rank, certify, frame_variance, morph, triangulate, vertex_sums
+from tween import area_matrix, area_rank, certify, frame_variance, morph, triangulate
 from tween.gallery import curve, pair
-from tween.metrics import rank_of
-from tween.paths import PATHS
+from tween.measuring.metrics import rank_of, vertex_sums
+from tween.morphing.compatible.paths import PATHS
 
 CURVES = ("arrow", "horseshoe", "two_loops", "five_disks", "spiral_1")
 

@@ -13,19 +13,19 @@ from strategies import disks
 from tween import (
     Curve,
     CurveError,
-    IncompatibleError,
     NotSelfOverlappingError,
     Triangulation,
     TweenError,
     decompose,
     morph,
-    orient2d,
     remesh,
     triangulate,
 )
-from tween.dual import disk_center
+from tween.errors import IncompatibleError
 from tween.gallery import curve, names, random_disk
-from tween.paths import PATHS
+from tween.geometry.dual_tree import disk_center
+from tween.geometry.predicates import orient2d
+from tween.morphing.compatible.paths import PATHS
 
 ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]

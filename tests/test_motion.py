@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tween import decompose, gallery, metrics, morph, motion
+from tween import decompose, gallery, morph
+from tween.measuring import metrics
+from tween.morphing import morph as morph_module
 
 
 def test_many_frames_are_the_same_by_blocks_one_by_one_and_in_a_memory_map(
@@ -14,7 +16,7 @@ def test_many_frames_are_the_same_by_blocks_one_by_one_and_in_a_memory_map(
     T = decompose(gallery.curve("horseshoe")).arbitrary()
     m = morph(T, T.on_disk())
     frames, A = m.frames(23), metrics.area_matrix(m, 23)
-    monkeypatch.setattr(motion, "_AT_ONCE", 5 * len(T))
+    monkeypatch.setattr(morph_module, "_AT_ONCE", 5 * len(T))
     monkeypatch.setattr(metrics, "_AT_ONCE", 300)
     np.testing.assert_array_equal(m.frames(23), frames)
     np.testing.assert_array_equal(list(m.each_frame(23)), frames)

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tween.paths import area_apex, base_angles, slides, third_vertices
+from tween.morphing.compatible.paths import area_apex, base_angles, slides, third_vertices
 
 PAPER = ("linear", "slide")
 PATHS = (*PAPER, "angle", "metric")  # "area" takes the lengths of bases, so it is laid out: see test_morph

@@ -24,7 +24,7 @@ import numpy as np
 import pytest
 
 from tween import gallery, verify
-from tween.io import read_frames
+from tween.io.read_write import read_frames
 
 ROOT = Path(__file__).resolve().parent.parent
 NOTEBOOK = "09_playground.ipynb"

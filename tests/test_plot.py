@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from tween.gallery import curve
-from tween.plot import regions, winding_number
+from tween.plot.shapes import regions, winding_number
 
 
 @pytest.mark.parametrize("name", ["ess", "horseshoe", "winding_3", "five_disks"])

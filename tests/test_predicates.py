@@ -16,8 +16,15 @@ from numba import njit
 from numpy.typing import NDArray
 from strategies import Points, exact_doubles, nudged_grids
 
-from tween import incircle, orient2d
-from tween.predicates import EXACT_RANGE, in_circumcircle, incircle_sign, orient2d_sign, turn
+from tween.geometry.predicates import (
+    EXACT_RANGE,
+    in_circumcircle,
+    incircle,
+    incircle_sign,
+    orient2d,
+    orient2d_sign,
+    turn,
+)
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tween import Morph, morph, raster, triangulate
-from tween.film import OPACITY, Film, film
+from tween import Morph, morph, triangulate
 from tween.gallery import curve, pair
-from tween.plot import winding_number
-from tween.raster import picture
+from tween.plot import pixels
+from tween.plot.film import OPACITY, Film, film
+from tween.plot.pixels import picture
+from tween.plot.shapes import winding_number
 
 
 def film_of(name: str, **options) -> Film:
@@ -20,9 +21,9 @@ def film_of(name: str, **options) -> Film:
 @pytest.fixture
 def areas_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no lines."""
-    monkeypatch.setattr(raster, "_EDGE_OPACITY", 0.0)
-    blank = raster._lines
-    monkeypatch.setattr(raster, "_lines", lambda *args: blank(args[0], [], 1.0))
+    monkeypatch.setattr(pixels, "_EDGE_OPACITY", 0.0)
+    blank = pixels._lines
+    monkeypatch.setattr(pixels, "_lines", lambda *args: blank(args[0], [], 1.0))
 
 
 @pytest.mark.parametrize("name", ["horseshoe", "winding_3", "five_disks"])

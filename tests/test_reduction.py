@@ -5,9 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tween import Curve, Decomposition, TweenError, certify, decompose, gallery, locally_delaunay, morph, orient2d
-from tween import decomposition as module
-from tween.reduction import reduce_curve, restore
+from tween import Curve, Decomposition, TweenError, certify, decompose, gallery, morph
+from tween.geometry.predicates import orient2d
+from tween.triangulating import decomposition as module
+from tween.triangulating.flips import locally_delaunay
+from tween.triangulating.reduction import reduce_curve
+from tween.triangulating.restoration import restore
 
 NAMES = [*gallery.names(), *gallery.letters()]
 lattice = st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=5, max_size=14)

@@ -8,8 +8,8 @@ import pytest
 
 from experiments import roots
 from tween import Triangulation, remesh
-from tween.dual import disk_center, hops, rooted
-from tween.generators import random_disk
+from tween.gallery.generators import random_disk
+from tween.geometry.dual_tree import disk_center, hops, rooted
 
 
 def rational_areas(T: Triangulation, disk: Triangulation, root: int, t: int) -> list[Fraction]:

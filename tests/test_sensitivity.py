@@ -6,8 +6,8 @@ import pytest
 
 from experiments import figure11, sensitivity, store, table1
 from tween import area_matrix, decompose, gallery, morph, remesh
-from tween.compatible import root_triangle
-from tween.paths import Path
+from tween.morphing.compatible.leg import root_triangle
+from tween.morphing.compatible.paths import Path
 
 
 @pytest.mark.parametrize("path", ["linear", "slide", "angle"])

@@ -13,7 +13,13 @@ from numpy.typing import NDArray
 from strategies import convex_triangulations, disks
 
 from tween import Decomposition, Triangulation, decompose
-from tween.sequence import FlipSequence, count_crossings, crossing_counts, crossings_by_shift, flip_sequence
+from tween.morphing.incompatible.flip_sequence import (
+    FlipSequence,
+    count_crossings,
+    crossing_counts,
+    crossings_by_shift,
+    flip_sequence,
+)
 
 Chord = tuple[int, int]
 

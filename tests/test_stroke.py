@@ -7,8 +7,9 @@ import pytest
 from numpy.typing import NDArray
 from strokes import bows, circle, eight, traced, twice
 
+from tween import gallery
+from tween.app.playground.hand_drawn import from_stroke, judge
 from tween.errors import CurveError
-from tween.stroke import from_stroke, judge
 
 # Strokes
 
@@ -90,3 +91,11 @@ def test_the_verdict_is_the_same_in_both_directions(stroke: NDArray[np.float64],
 def test_a_clockwise_curve_is_traversed_the_other_way_and_says_so() -> None:
     assert "clockwise" not in judge(from_stroke(circle())).words
     assert "clockwise" in judge(from_stroke(circle()[::-1])).words
+
+
+def test_triangulations_of_many_vertices_are_not_counted() -> None:
+    ell = gallery.curve("ell")
+    assert "triangulations" in judge(ell).words
+    shape = judge(ell.insert_vertices(5000))
+    assert shape.words == "Bounds an immersed disk. 5000 vertices, no crossings."
+    assert "_full" not in vars(shape.answer)  # the whole table was not made

@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tween.errors import FileError
-from tween.plot import SOURCE
-from tween.svg import MOST_ELEMENTS, read_svg
-from tween.svgpath import checked, flattened, numbers, rectangle
-from tween.writers import drawing
+from tween.io.svg import MOST_ELEMENTS, read_svg
+from tween.io.svg_path import checked, flattened, numbers, rectangle
+from tween.io.writers import drawing
+from tween.plot.shapes import SOURCE
 
 FIXTURES = Path(__file__).parent / "fixtures"
 IDENTITY = np.eye(3)

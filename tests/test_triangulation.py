@@ -10,9 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import convex_triangulations, disks
 
-from tween import Triangulation, TriangulationError, TweenError, compatible_shift, decompose
+from tween import Triangulation, TweenError, compatible_shift, decompose
+from tween.errors import TriangulationError
 from tween.gallery import curve, names, random_disk
-from tween.triangulation import canonical
+from tween.geometry.triangulation import canonical
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 HALVES = [(0, 1, 2), (0, 2, 3)]

@@ -14,8 +14,8 @@ import pytest
 from PIL import Image
 from strokes import circle, eight
 
-from tween.stroke import from_stroke
-from tween.widget import Picture, playground
+from tween.app.playground.hand_drawn import from_stroke
+from tween.app.playground.widget import Picture, playground
 
 STATIC = Path(__file__).resolve().parent.parent / "tween" / "static"
 LIVE = importlib.util.find_spec("anywidget") is not None
@@ -51,7 +51,7 @@ def test_a_front_end_is_where_somebody_could_be_asked(monkeypatch: pytest.Monkey
     message = {"content": {"allow_stdin": asks}} if asks is not None else None
     shell = SimpleNamespace(get_parent=lambda: message)
     monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
-    monkeypatch.setattr("tween.widget._widget", lambda: lambda sketch: "alive")
+    monkeypatch.setattr("tween.app.playground.widget._widget", lambda: lambda sketch: "alive")
     assert (playground() == "alive") == (live and LIVE)
 
 

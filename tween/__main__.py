@@ -2,7 +2,7 @@
 
 import sys
 
-from tween.cli import main
+from tween.app.command_line.main import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -15,13 +15,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, Polygon
 from numpy.typing import ArrayLike, NDArray
 
+from experiments.baselines import edge_angle, straight
 from experiments.figures.registry import SEED, WIDTH, drawing
 from experiments.store import rng_for
-from tween import Morph, Triangulation, decompose, gallery, morph, orient2d, triangulate
+from tween import Morph, Triangulation, decompose, gallery, morph, triangulate
 from tween import plot as draw
-from tween.baselines import edge_angle, straight
-from tween.dual import rooted
-from tween.paths import Path, third_vertices
+from tween.geometry.dual_tree import rooted
+from tween.geometry.predicates import orient2d
+from tween.morphing.compatible.paths import Path, third_vertices
 
 TIMES = np.linspace(0, 1, 7)
 MORE_TIMES = np.linspace(0, 1, 9)

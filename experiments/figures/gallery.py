@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from experiments.figures.registry import WIDTH, drawing
 from tween import Morph, Triangulation, gallery, morph
 from tween import plot as draw
-from tween.dual import hops, smallest_triangle
+from tween.geometry.dual_tree import hops, smallest_triangle
 
 SHAPES = 7  # in a row
 ALPHA = 0.55  # opacity of one layer

@@ -7,12 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from experiments.baselines import BASELINES
 from experiments.figures.registry import WIDTH, drawing
 from experiments.store import RESULTS
 from tween import certify, gallery, morph, triangulate
 from tween import plot as draw
-from tween.baselines import BASELINES
-from tween.paths import PATHS, Path
+from tween.morphing.compatible.paths import PATHS, Path
 
 TIMES = np.linspace(0, 1, 7)
 KINDS = {

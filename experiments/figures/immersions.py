@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from experiments.figures.registry import SEED, drawing
 from experiments.store import rng_for
-from tween import Curve, Triangulation, compatible_shift, decompose, flip, gallery, locally_delaunay, morph, triangulate
+from tween import Curve, Triangulation, compatible_shift, decompose, gallery, morph, triangulate
 from tween import plot as draw
+from tween.triangulating.flips import flip, locally_delaunay
 
 _Floats = NDArray[np.float64]
 

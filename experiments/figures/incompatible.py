@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from experiments.figures.gallery import SHAPES, bands, draw_row, fit
 from experiments.figures.registry import WIDTH, drawing
-from tween import Triangulation, align, flip, gallery, morph
+from tween import Triangulation, align, gallery, morph
 from tween import plot as draw
-from tween.gradual import Flow
-from tween.sequence import flip_sequence
+from tween.morphing.incompatible.flip_sequence import flip_sequence
+from tween.morphing.incompatible.flow import Flow
+from tween.triangulating.flips import flip
 
 PAIR = "arrow_to_horseshoe"
 FLIPPED = ("lobes_to_spiral", "ell_to_two_loops", PAIR, "comb_to_winding")

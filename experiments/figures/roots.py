@@ -11,7 +11,7 @@ from experiments.figures.registry import WIDTH, drawing
 from experiments.store import RESULTS
 from tween import Triangulation, area_matrix, gallery, morph, triangulate
 from tween import plot as draw
-from tween.dual import disk_center, hops
+from tween.geometry.dual_tree import disk_center, hops
 
 TIMES = np.linspace(0, 1, 5)
 

@@ -1,0 +1,1 @@
+"""A playground to draw in, in a notebook."""

@@ -1,0 +1,126 @@
+"""Morphs in numbers that a browser can draw: shapes, areas, sums of angles, and what is certified.
+
+Shapes are placed in a field that is `BOX` units wide and high, y up, each as large as it allows.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tween.app.playground.hand_drawn import BOX, many
+from tween.geometry.dual_tree import hops, smallest_triangle
+from tween.geometry.triangulation import Triangulation
+from tween.measuring.certificate import Certificate, certify
+from tween.measuring.metrics import area_matrix, area_rank, vertex_sums
+from tween.morphing.compatible.leg import root_triangle
+from tween.morphing.morph import Morph
+from tween.plot.shapes import identity_colors
+
+FRAMES = 81
+
+_MARGIN = 0.06 * BOX
+
+_Floats = NDArray[np.float64]
+
+
+def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") -> dict[str, Any]:
+    """Describe a morph in numbers that a browser can draw.
+
+    Parameters
+    ----------
+    m : Morph
+    guarantee : bool
+        Whether it was made with one, so that none is recommended.
+    root : str or int
+        The one that it was made with.
+
+    Returns
+    -------
+    dict
+        frames : 81 lists x, y, x, y, ..., each as large as the field; stages : the lists of triangles in
+        force, a, b, c, a, ...; stage : which of them, for each frame; areas : for each frame, of each triangle, in
+        10000ths of the source; sums, worst : for each frame, the largest sum of angles, in radians, and its vertex;
+        colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; words, valid : what
+        `certify` says.
+
+    Examples
+    --------
+    >>> from tween import morph, triangulate
+    >>> T = triangulate([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]])
+    >>> seen = footage(morph(T, T.on_disk()))
+    >>> len(seen["frames"]), seen["valid"], seen["worst"][0], sum(seen["areas"][0])
+    (81, True, 3, 10000)
+    """
+    times = np.linspace(0, 1, FRAMES)
+    _, first, stage = np.unique(m.stage_at(times), return_index=True, return_inverse=True)
+    sums = vertex_sums(m, times)
+    certificate = certify(m, FRAMES)
+    colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.uint8)
+    return {
+        "frames": [fit(shape) for shape in m.at(times)],
+        "stages": [m.triangles_at(float(times[f])).ravel().tolist() for f in first],
+        "stage": stage.tolist(),
+        "areas": np.rint(1e4 * area_matrix(m, FRAMES).T).astype(int).tolist(),
+        "sums": sums.max(axis=0).round(4).tolist(),
+        "worst": sums.argmax(axis=0).tolist(),
+        "colors": ["#" + bytes(color).hex() for color in colors],
+        "order": _along(m.source),
+        "root": _root(m, root),
+        "valid": certificate.valid,
+        "words": _promise(m, certificate, guarantee),
+    }
+
+
+def _along(T: Triangulation) -> list[int]:
+    """The triangles in the order of `identity_colors`: along the longest path of the dual tree."""
+    one_end = int(np.argmax(hops(T, 0)))
+    ends = np.array([one_end, int(np.argmax(hops(T, one_end)))])
+    return np.argsort(hops(T, smallest_triangle(T, ends)), kind="stable").tolist()
+
+
+def fit(points: _Floats) -> list[int]:
+    """Place points in a field, as large as it allows.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    list of int
+        x, y, x, y, ...
+
+    Examples
+    --------
+    >>> fit(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]))
+    [60, 280, 940, 280, 60, 720]
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    scale = (BOX - 2 * _MARGIN) / (high - low).max()
+    return _whole((points - 0.5 * (low + high)) * scale + 0.5 * BOX)
+
+
+def _whole(points: _Floats) -> list[int]:
+    return np.rint(points).astype(int).ravel().tolist()
+
+
+def _root(m: Morph, root: str | int) -> int:
+    """The triangle from which the motion spreads; -1 where there are two, one on each side of the flips."""
+    if isinstance(root, str) and m.events:
+        return -1
+    return root_triangle(root, m.source, m.source.moved(m.target.points))
+
+
+def _promise(m: Morph, certificate: Certificate, guarantee: bool) -> str:
+    """What is known about the shapes on the way, in plain words."""
+    failure = certificate.first_failure
+    if failure:
+        advice = "" if guarantee else " With the guarantee it would not."
+        rule = failure.rule.partition(":")[0]
+        return f"Bounds no disk at t = {failure.t:.3f}: {rule}.{advice}"
+    between = "and the others by construction" if m.proof else "the others are not proved"
+    flips = many(len(m.events), "flip").capitalize()
+    rank = area_rank(area_matrix(m, FRAMES), rtol=1e-4)
+    checked = f"Every shape bounds a disk: {certificate.frames_checked} were checked exactly, {between}."
+    return f"{checked} {flips}; area rank {rank} at 1e-4."

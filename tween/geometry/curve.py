@@ -1,0 +1,367 @@
+"""Closed polygons that may cross themselves: validation, turning number, crossings.
+
+A vertex is a position along the curve, never a coordinate: a curve may visit one place many times.
+Edge i runs from vertex i to vertex i+1 (mod n).
+"""
+
+import heapq
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from tween.errors import CurveError
+from tween.geometry.predicates import EXACT_RANGE, orient2d
+
+_Scalar = TypeVar("_Scalar", bound=np.generic)
+
+
+@dataclass(frozen=True)
+class Crossings:
+    """The pairs of edges of a curve that meet, neighbours along the curve left out.
+
+    Attributes
+    ----------
+    pairs : ndarray of int, shape (k, 2)
+        Edge numbers i < j, sorted.
+    proper : ndarray of bool, shape (k,)
+        True where the two edges cross in their interiors; False where they touch: an end of one lies
+        on the other, or they overlap along a line.
+
+    Examples
+    --------
+    >>> bow = Curve([[0, 0], [2, 2], [2, 0], [0, 2]])
+    >>> list(bow.crossings), len(bow.crossings.touches)
+    ([(0, 2)], 0)
+    """
+
+    pairs: NDArray[np.intp]
+    proper: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.pairs)
+
+    def __iter__(self) -> Iterator[tuple[int, int]]:
+        return ((int(i), int(j)) for i, j in self.pairs)
+
+    @property
+    def crossing(self) -> NDArray[np.intp]:
+        """The pairs that cross properly, shape (k, 2)."""
+        return self.pairs[self.proper]
+
+    @property
+    def touches(self) -> NDArray[np.intp]:
+        """The pairs that only touch, shape (k, 2)."""
+        return self.pairs[~self.proper]
+
+
+class Curve:
+    """A closed polygon, counter-clockwise, that may cross itself.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2), n >= 3
+        Vertices in order along the curve; the last one is joined to the first.  A curve of negative
+        turning number is traversed the other way round, vertex 0 staying first, and says so in
+        `reversed_input`.
+
+    Raises
+    ------
+    CurveError
+        Where `points` has another shape, fewer than 3 rows, an entry that is not finite or lies outside
+        the range in which the predicates are exact, an edge of zero length, or a spike (a turn by
+        180 degrees).  The message names the vertex.
+
+    Notes
+    -----
+    A curve never changes; its arrays are read-only.  Making one costs O(n).
+
+    Examples
+    --------
+    >>> square = Curve([[0, 0], [0, 1], [1, 1], [1, 0]])
+    >>> square.reversed_input, square.turning_number, square.area
+    (True, 1, 1.0)
+    >>> Curve([[0, 0], [1, 0], [1, 0], [0, 1]])
+    Traceback (most recent call last):
+    ...
+    tween.errors.CurveError: edge 1-2 has zero length: vertices 1 and 2 are both at (1, 0)
+    """
+
+    def __init__(self, points: ArrayLike) -> None:
+        p = _validated(points)
+        turning = turning_number(p)
+        self._reversed = turning < 0
+        self._turning_number = abs(turning)
+        self._origin = np.arange(len(p))
+        if self._reversed:
+            self._origin = -self._origin % len(p)
+        self._points = _frozen(p[self._origin])
+        _frozen(self._origin)
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Vertices, shape (n, 2), read-only."""
+        return self._points
+
+    @property
+    def turning_number(self) -> int:
+        """Full turns that the direction of travel makes, exact; 1 for every boundary of a disk."""
+        return self._turning_number
+
+    @property
+    def reversed_input(self) -> bool:
+        """Whether the input was clockwise, so that it is traversed the other way round here."""
+        return self._reversed
+
+    @property
+    def origin(self) -> NDArray[np.intp]:
+        """Row of the input that each vertex was, shape (n,); -1 where `insert_vertices` put it."""
+        return self._origin
+
+    @cached_property
+    def area(self) -> float:
+        """Signed area, regions counted as often as the curve winds about them."""
+        x, y = (self._points - self._points[0]).T
+        return 0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+
+    @cached_property
+    def crossings(self) -> Crossings:
+        """The pairs of edges that meet, as `Crossings`; a spatial index proposes, `orient2d` decides."""
+        return _crossings(self._points)
+
+    def insert_vertices(self, count: int) -> "Curve":
+        """Reach a number of vertices by halving the longest edges; the shape stays.
+
+        Parameters
+        ----------
+        count : int
+            Vertices wanted, at least as many as there are.
+
+        Returns
+        -------
+        Curve
+            With the same vertices in the same order and midpoints between them; `origin` tells which.
+
+        Raises
+        ------
+        CurveError
+            Where `count` is below the number of vertices, an edge is too short to be halved, or the curve so
+        thin that rounding the midpoints changes its turning number.
+
+        Notes
+        -----
+        The longest edge is halved first, the one of smallest number where several are equally long.
+        Midpoints, unlike other fractions, are doubles that lie exactly on the edge whenever the
+        coordinates have a bit to spare; otherwise they are off by at most a rounding error.
+        O((n + count) log n).
+
+        Examples
+        --------
+        >>> Curve([[0, 0], [4, 0], [0, 2]]).insert_vertices(5).points.tolist()
+        [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [2.0, 1.0], [0.0, 2.0]]
+        """
+        if count < len(self):
+            raise CurveError(f"{count} vertices wanted, but the curve has {len(self)} already")
+        points, origin = _halve_longest_edges(self._points, self._origin, count)
+        try:
+            curve = Curve(points)
+        except CurveError as error:
+            raise CurveError(f"the curve is too thin to take up {count - len(self)} vertices: {error}") from None
+        if curve._reversed or curve.turning_number != self.turning_number:
+            raise CurveError(
+                "the curve is so thin that rounding the midpoints of its edges turns it over: its turning number "
+                f"{self.turning_number} became {-curve.turning_number if curve._reversed else curve.turning_number}"
+            )
+        curve._origin = _frozen(origin)
+        curve._reversed = self._reversed
+        return curve
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def __repr__(self) -> str:
+        return f"Curve({len(self)} vertices, turning number {self.turning_number})"
+
+
+def as_curve(curve: Any) -> Curve:
+    """Return the curve itself, or the `Curve` with the given points.
+
+    Parameters
+    ----------
+    curve : Curve, or anything with a `curve`, or array_like of shape (n, 2)
+        A triangulation stands for its boundary.
+
+    Returns
+    -------
+    Curve
+    """
+    if isinstance(curve, Curve):
+        return curve
+    boundary = getattr(curve, "curve", None)
+    return boundary if isinstance(boundary, Curve) else Curve(curve)
+
+
+def _frozen(array: NDArray[_Scalar]) -> NDArray[_Scalar]:
+    array.setflags(write=False)
+    return array
+
+
+def without_repetitions(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Drop points that equal the one before.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    ndarray of float64, shape (m, 2)
+    """
+    fresh = np.ones(len(points), dtype=np.bool_)
+    fresh[1:] = (points[1:] != points[:-1]).any(axis=1)
+    return points[fresh]
+
+
+def _validated(points: ArrayLike) -> NDArray[np.float64]:
+    """Copy the points to doubles, or raise the `CurveError` that names the first vertex at fault."""
+    try:
+        p = np.array(points, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise CurveError(f"points are no array of numbers of shape (n, 2): {error}") from None
+    if p.ndim != 2 or p.shape[1] != 2:
+        raise CurveError(f"points have shape {p.shape}, expected (n, 2)")
+    n = len(p)
+    if n < 3:
+        raise CurveError(f"a curve needs at least 3 vertices, found {n}")
+    p += 0.0  # turns -0.0 into 0.0, so that equal points are equal bytes
+    fault = coordinate_fault(p)
+    if fault:
+        raise CurveError(fault)
+    following = np.roll(p, -1, axis=0)
+    for i in np.flatnonzero((p == following).all(axis=1)):
+        j = (i + 1) % n
+        raise CurveError(f"edge {i}-{j} has zero length: vertices {i} and {j} are both at {_at(p[i])}")
+    for i in np.flatnonzero(spikes(p)):
+        raise CurveError(f"vertex {i} at {_at(p[i])} is a spike: the curve turns back by 180 degrees")
+    return p
+
+
+def coordinate_fault(points: NDArray[np.float64]) -> str:
+    """Find the first vertex whose coordinates the predicates cannot treat exactly.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    str
+        What is wrong with which vertex; empty where nothing is.
+    """
+    for i in np.flatnonzero(~np.isfinite(points).all(axis=1)):
+        return f"vertex {i} is {_at(points[i])}, expected finite coordinates"
+    low, high = EXACT_RANGE
+    size = np.abs(points)
+    for i in np.flatnonzero(((size != 0) & ((size < low) | (size > high))).any(axis=1)):
+        return (
+            f"vertex {i} is {_at(points[i])}: coordinates must be 0 or between {low:.0e} and {high:.0e} "
+            "in magnitude for the predicates to be exact; scale the curve"
+        )
+    return ""
+
+
+def _at(point: NDArray[np.float64]) -> str:
+    return f"({point[0]:g}, {point[1]:g})"
+
+
+def spikes(points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell at which vertices the curve turns back by exactly 180 degrees.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+    """
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    same_direction = (np.sign(before - points) == np.sign(after - points)).all(axis=1)
+    return same_direction & (orient2d(before, points, after) == 0)
+
+
+def turning_number(points: NDArray[np.float64]) -> int:
+    """Count the full turns that the direction of travel makes along a closed polygon, exactly.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+        A polygon without edges of zero length and without spikes.
+
+    Returns
+    -------
+    int
+        The signed crossings of the edge directions with the ray to the right.  From one edge to the
+        next the direction turns by less than 180 degrees, so it passes that ray exactly where it turns
+        left from the lower into the upper half plane (+1), or right from the upper into the lower (-1).
+    """
+    following = np.roll(points, -1, axis=0)
+    up, right = following[:, 1] > points[:, 1], following[:, 0] > points[:, 0]
+    upper = up | ((following[:, 1] == points[:, 1]) & right)
+    before = np.roll(upper, 1)
+    turns = orient2d(np.roll(points, 1, axis=0), points, following)
+    return int(np.sum((turns > 0) & ~before & upper)) - int(np.sum((turns < 0) & before & ~upper))
+
+
+def _crossings(p: NDArray[np.float64]) -> Crossings:
+    n = len(p)
+    q = np.roll(p, -1, axis=0)
+    edges = shapely.linestrings(np.stack([p, q], axis=1))
+    i, j = shapely.STRtree(edges).query(edges)
+    apart = (i < j) & (j - i != 1) & (j - i != n - 1)
+    i, j = i[apart], j[apart]
+    a, b, c, d = p[i], q[i], p[j], q[j]
+    abc, abd, cda, cdb = orient2d(a, b, c), orient2d(a, b, d), orient2d(c, d, a), orient2d(c, d, b)
+    proper = (abc * abd < 0) & (cda * cdb < 0)
+    on = [(abc, a, b, c), (abd, a, b, d), (cda, c, d, a), (cdb, c, d, b)]
+    touch = np.logical_or.reduce([(side == 0) & _within_box(s, e, x) for side, s, e, x in on])
+    meet = proper | touch
+    order = np.lexsort((j[meet], i[meet]))
+    pairs = np.stack([i[meet], j[meet]], axis=1)[order]
+    return Crossings(_frozen(pairs), _frozen(proper[meet][order]))
+
+
+def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.bool_]:
+    inside = (np.minimum(start, end) <= x) & (x <= np.maximum(start, end))
+    return inside[:, 0] & inside[:, 1]
+
+
+def _halve_longest_edges(
+    points: NDArray[np.float64], origin: NDArray[np.intp], count: int
+) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Halve the longest edge until there are `count`; a heap holds (-length, position, start, end)."""
+    n = len(points)
+    heap = []
+    for i in range(n):
+        a, b = points[i], points[(i + 1) % n]
+        # math.hypot is Python's own; the last bit of numpy's is the platform's, and would decide between equal edges.
+        heap.append((-math.hypot(*(b - a)), float(i), tuple(a), tuple(b), 1.0))
+    heapq.heapify(heap)
+    inserted = []
+    for _ in range(count - n):
+        length, position, a, b, span = heapq.heappop(heap)
+        middle = (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]))
+        if middle in (a, b):
+            raise CurveError(f"edge at {_at(np.array(a))} is too short to be halved further")
+        inserted.append((position + span / 2, middle))
+        heapq.heappush(heap, (length / 2, position, a, middle, span / 2))
+        heapq.heappush(heap, (length / 2, position + span / 2, middle, b, span / 2))
+    positions = np.array([*range(n), *(position for position, _ in inserted)])
+    rows = np.concatenate([points, np.reshape([m for _, m in inserted], (-1, 2))])
+    order = np.argsort(positions)
+    return rows[order], np.concatenate([origin, np.full(count - n, -1)])[order]

@@ -1,0 +1,23 @@
+"""Files: curves and strokes read and written, triangulations and the frames of morphs written."""
+
+from tween.io.read_write import (
+    read_curve,
+    read_curves,
+    read_frames,
+    read_stroke,
+    stroke,
+    write_curve,
+    write_frames,
+    write_triangulation,
+)
+
+__all__ = [
+    "read_curve",
+    "read_curves",
+    "read_frames",
+    "read_stroke",
+    "stroke",
+    "write_curve",
+    "write_frames",
+    "write_triangulation",
+]

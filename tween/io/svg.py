@@ -1,0 +1,200 @@
+"""The outlines that an SVG drawing holds.
+
+Coordinates are the drawing's user units with y turned upwards: y here is -y there, exactly.
+"""
+
+import io
+import math
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from defusedxml import DefusedXmlException
+from defusedxml.ElementTree import iterparse
+from numpy.typing import NDArray
+
+from tween.errors import FileError
+from tween.io.svg_path import MOST_POINTS, checked, flattened, numbers, polygon, rectangle
+
+MOST_ELEMENTS = 100_000
+"""Elements that a drawing may hold; those that `use` repeats count each time."""
+
+DEEPEST = 1000
+"""Levels to which the elements of a drawing may be nested."""
+
+_Floats = NDArray[np.float64]
+
+_GROUPS = {"svg", "g", "a", "switch"}
+_SHAPES = {"path", "polygon", "polyline", "rect", "circle", "ellipse"}
+_UNITS = {"": 1, "px": 1, "pt": 4 / 3, "pc": 16, "in": 96, "cm": 96 / 2.54, "mm": 96 / 25.4, "Q": 96 / 101.6}
+_LENGTH = re.compile(rf"\s*([-+.0-9eE]+?)({'|'.join(_UNITS)})\s*")
+_CALL = re.compile(r"[ \t\r\n,]*([A-Za-z]+)[ \t\r\n]*\(([^()]*)\)")
+_HIDDEN = re.compile(r"(?:^|;)\s*display\s*:\s*none")
+
+
+def read_svg(data: bytes, tolerance: float | None = None) -> list[tuple[str, _Floats]]:
+    """Find the outlines of a drawing, in its order.
+
+    Parameters
+    ----------
+    data : bytes
+        Of an SVG file.
+    tolerance : float, optional
+        How far flattened curves may lie from the true ones, in the drawing's units; by default
+        `RELATIVE_TOLERANCE` of the larger side of each path.
+
+    Returns
+    -------
+    list of (str, ndarray of shape (m, 2))
+        Id, empty where there is none, and points; of a closed outline the last one equals the first.  A
+        shape that `use` repeats goes by the id of the `use`.
+        Each subpath of path "a", where it has several, is an outline "a.0", "a.1", ... of its own.
+
+    Raises
+    ------
+    FileError
+        Saying what is wrong and in which element.
+
+    Notes
+    -----
+    Paths, polygons, polylines, rectangles, circles and ellipses are read, with the transforms of their
+    groups, and wherever `use` repeats them.  What is not drawn where it stands (definitions, clip paths,
+    display="none", shapes without extent) is passed over.  View boxes and style sheets are not applied.
+
+    Examples
+    --------
+    >>> read_svg(b'<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0H2V-1Z"/></svg>')[0][1].tolist()
+    [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 0.0]]
+    """
+    outlines: list[tuple[str, _Floats]] = []
+    room = MOST_POINTS
+    for k, (element, matrix, name) in enumerate(list(_shapes(*_parsed(data)))):  # counted before any is made
+        tag = _tag(element)
+        try:
+            lines = flattened(_path_data(element, tag), matrix, tolerance, room)
+        except FileError as error:
+            raise FileError(f"{tag} {repr(name[:40]) if name else f'(shape {k})'} {error}") from None
+        room -= sum(map(len, lines))
+        drawn = [line for line in lines if (line != line[0]).any()]
+        outlines += [(f"{name}.{i}" if name and len(drawn) > 1 else name, line) for i, line in enumerate(drawn)]
+    if not outlines:
+        raise FileError(f"draws nothing, expected one of the elements {', '.join(sorted(_SHAPES))}")
+    return outlines
+
+
+def _parsed(data: bytes) -> tuple[Any, dict[str, Any]]:
+    """The root of the drawing, and the elements that have an id."""
+    root: Any = None
+    by_id: dict[str, Any] = {}
+    depth = count = 0
+    try:
+        for event, element in iterparse(io.BytesIO(data), events=("start", "end")):
+            depth += 1 if event == "start" else -1
+            count += event == "start"
+            if depth > DEEPEST or count > MOST_ELEMENTS:
+                raise FileError(f"has more than {DEEPEST} levels or {MOST_ELEMENTS} elements, expected a smaller one")
+            root = element if root is None else root
+            by_id.setdefault(element.get("id", ""), element)
+    except DefusedXmlException:
+        raise FileError("declares XML entities, which are not read; save it as plain SVG") from None
+    except (SyntaxError, ValueError, LookupError) as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(f"is no XML, expected SVG: {error}") from None
+    if _tag(root) != "svg":
+        raise FileError(f"has the root element {_tag(root)[:40]!r}, expected 'svg'")
+    return root, by_id
+
+
+def _tag(element: Any) -> str:
+    return str(element.tag.rpartition("}")[2])
+
+
+def _shapes(root: Any, by_id: dict[str, Any]) -> Iterator[tuple[Any, _Floats, str]]:
+    """The elements that draw, with the transforms of all groups they stand in, and their names."""
+    stack, visits = [(root, np.eye(3), "")], 0
+    while stack:
+        element, matrix, name = stack.pop()
+        visits += 1
+        if visits > MOST_ELEMENTS:
+            raise FileError(f"repeats elements by 'use' to more than {MOST_ELEMENTS}, expected fewer")
+        if element.get("display") == "none" or _HIDDEN.search(element.get("style", "")):
+            continue
+        tag = _tag(element)
+        with np.errstate(all="ignore"):  # what is too large is refused where it meets a shape
+            matrix = matrix @ _transform(element.get("transform", ""))
+            if tag == "use":
+                matrix = matrix @ _matrix("translate", [_length(element, "x"), _length(element, "y")])
+        if tag in _SHAPES:
+            yield element, matrix, name or element.get("id", "")
+        elif tag in _GROUPS:
+            stack.extend((child, matrix, "") for child in reversed(element))
+        elif tag == "use":
+            stack.extend((child, matrix, name or element.get("id", "")) for child in _repeated(element, by_id))
+
+
+def _repeated(use: Any, by_id: dict[str, Any]) -> list[Any]:
+    reference = use.get("href") or use.get("{http://www.w3.org/1999/xlink}href") or ""
+    target = by_id.get(reference[1:]) if reference.startswith("#") else None
+    if target is None:
+        raise FileError(f"has a 'use' of {reference[:40]!r}, expected '#' and the id of an element")
+    return list(reversed(target)) if _tag(target) == "symbol" else [target]
+
+
+@lru_cache(maxsize=64)
+def _transform(text: str) -> _Floats:
+    product, at, text = np.eye(3), 0, text.rstrip()
+    while at < len(text):
+        call = _CALL.match(text, at)
+        if not call:
+            raise FileError(f"has the transform {text[at : at + 40]!r}, expected one such as 'rotate(30)'")
+        product = product @ _matrix(call[1], numbers(call[2]))
+        at = call.end()
+    return product
+
+
+def _matrix(name: str, values: list[float]) -> _Floats:
+    match name, values:
+        case "matrix", [a, b, c, d, e, f]:
+            return np.array([[a, c, e], [b, d, f], [0, 0, 1]])
+        case "translate", [x, *y] if len(y) <= 1:
+            return _matrix("matrix", [1, 0, 0, 1, x, *(y or [0])])
+        case "scale", [x, *y] if len(y) <= 1:
+            return _matrix("matrix", [x, 0, 0, *(y or [x]), 0, 0])
+        case "rotate", [degrees]:
+            cosine, sine = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+            return _matrix("matrix", [cosine, sine, -sine, cosine, 0, 0])
+        case "rotate", [degrees, x, y]:
+            return _matrix("translate", [x, y]) @ _matrix("rotate", [degrees]) @ _matrix("translate", [-x, -y])
+        case "skewX", [degrees]:
+            return _matrix("matrix", [1, 0, math.tan(math.radians(degrees)), 1, 0, 0])
+        case "skewY", [degrees]:
+            return _matrix("matrix", [1, math.tan(math.radians(degrees)), 0, 1, 0, 0])
+    raise FileError(f"has the transform {name[:40]!r} of {len(values)} numbers, which is none of SVG's")
+
+
+def _length(element: Any, name: str) -> float:
+    """An attribute in pixels; 0 where there is none or it is automatic."""
+    text = element.get(name, "0")
+    found = _LENGTH.fullmatch("0" if text == "auto" else text)
+    values = numbers(found[1]) if found else []
+    if not found or len(values) != 1:
+        raise FileError(f"has {name} = {text[:40]!r}, expected a number")
+    return values[0] * _UNITS[found[2]]
+
+
+def _path_data(element: Any, tag: str) -> str:
+    """Every shape as path data of checked grammar; empty where it draws nothing."""
+    if tag == "path":
+        return checked(element.get("d", ""))
+    if tag in ("polygon", "polyline"):
+        return polygon(numbers(element.get("points", "")), closed=tag == "polygon")
+    radii = ("r", "r") if tag == "circle" else ("rx", "ry")
+    either = next((name for name in radii if name in element.attrib), radii[0])  # one radius is enough for both
+    rx, ry = (_length(element, name if name in element.attrib else either) for name in radii)
+    if tag == "rect":
+        x, y, width, height = (_length(element, name) for name in ("x", "y", "width", "height"))
+        return rectangle(x, y, width, height, rx, ry)
+    return rectangle(_length(element, "cx") - rx, _length(element, "cy") - ry, 2 * rx, 2 * ry, rx, ry)

@@ -1,0 +1,1 @@
+"""From one immersed disk to another (Sections 5 and 6)."""

@@ -1,0 +1,265 @@
+"""Motion between compatible triangulations (Section 5), all times at once.
+
+The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
+its parent, and moves its third vertex along a path (`paths`).  Points are complex numbers here.
+
+Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
+"""
+
+import cmath
+import math
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.compatible.angle_bounds import largest_angles
+from tween.morphing.compatible.angle_budgets import (
+    Budgets,
+    keep_to_budget,
+    measured_budgets,
+    no_budgets,
+    proved_budgets,
+)
+from tween.morphing.compatible.paths import Path, area_apex, base_angles, corner_angles, third_vertices
+
+_THINNEST = 2.0**-60
+_HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
+
+
+class Leg:
+    """The motion from one shape to another with the same triangles.
+
+    Parameters
+    ----------
+    source : Triangulation
+    target : ndarray of float64, shape (n, 2)
+        Points of the target; its triangles are the source's.
+    path : str
+        See `paths`.
+    root : int
+        Number of the root triangle.
+    guarantee : bool
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+
+    Notes
+    -----
+    The root's base changes its length (along "metric" its square) and direction linearly, and its centre
+    of mass moves linearly; the paper says only that the root is "smoothly interpolated".
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 5.
+    """
+
+    def __init__(
+        self, source: Triangulation, target: NDArray[np.float64], path: Path, root: int, guarantee: bool = False
+    ) -> None:
+        self.source, self.target = source, target
+        self._path, self._tree = path, rooted(source, root)
+        self._corners = _corners_from_base(source.triangles, self._tree)
+        self._start, self._end = _complex(source.points)[self._corners], _complex(target)[self._corners]
+        self._thirds = _third(self._start), _third(self._end)
+        self._propagates = _propagates(source.twin, self._tree)
+        self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
+        self._areas = _areas(self._start, self._end) if path == "area" else np.empty((0, 6))
+        self._centres = self._start[0].mean(), self._end[0].mean()
+        self.budgets = self._needed_budgets() if guarantee else no_budgets(len(self._corners))
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Lay out the triangles of all times, the root first and each child on its base.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+            At times 0 and 1 exactly the source and the target.
+        """
+        laid, _ = self._lay_out(t, self.budgets)
+        shapes: NDArray[np.float64] = _placed(
+            laid, self._corners[0], *self._centres, t, self.source.points, self.target
+        )
+        return shapes
+
+    def _needed_budgets(self) -> Budgets:
+        angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
+        if self._path == "area":
+            return measured_budgets(self._corners, *angles, self._angles_at)
+        return proved_budgets(self._corners, *angles, self._largest_angles)
+
+    def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
+        source, target = (z[rows] for z in self._thirds)
+        return largest_angles(self._path, source, target, self._propagates[rows], self._stretch[rows], t)
+
+    def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
+        """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
+        _, z = self._lay_out(t, budgets)
+        return np.asarray(corner_angles(z))
+
+    def _lay_out(
+        self, t: NDArray[np.float64], budgets: Budgets
+    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        by_area = self._path == "area"
+        if by_area:
+            z = np.empty((len(self._corners), len(t)), np.complex128)
+        else:
+            z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
+        e = _root_base(self._start[0], self._end[0], self._path == "metric", t)
+        shapes = _hang(
+            self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
+        )
+        return shapes, z
+
+
+def root_triangle(root: str | int, *shapes: Triangulation) -> int:
+    """Choose the root triangle.
+
+    Parameters
+    ----------
+    root : {"disk-center", "tree-center"} or int
+    *shapes : Triangulation
+        With the same triangles.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    ValueError
+        For any other root.
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 7, "Discussion".
+    """
+    if root == "disk-center":
+        return disk_center(*shapes)
+    if root == "tree-center":
+        return tree_center(shapes[0])
+    last = len(shapes[0].triangles) - 1
+    if isinstance(root, str) or int(root) != root or not 0 <= root <= last:
+        raise ValueError(f"root is {root!r}, expected 'disk-center', 'tree-center' or a triangle from 0 to {last}")
+    return int(root)
+
+
+def _complex(points: NDArray[np.float64]) -> NDArray[np.complex128]:
+    return np.ascontiguousarray(points).view(np.complex128)[:, 0]
+
+
+def _corners_from_base(triangles: NDArray[np.int64], tree: RootedTree) -> NDArray[np.int64]:
+    """Corners a, b, c of each triangle in tree order, ab being its base; shape (m, 3)."""
+    slots = (tree.base[tree.order, None] + np.arange(3)) % 3
+    return triangles[tree.order[:, None], slots]
+
+
+def _propagates(twin: NDArray[np.int64], tree: RootedTree) -> NDArray[np.bool_]:
+    """Whether edge ca, and edge bc, of each triangle in tree order has a child; shape (m, 2)."""
+    slots = (tree.base[tree.order, None] + np.array([2, 1])) % 3
+    return twin[tree.order[:, None], slots] >= 0
+
+
+def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    a, b, c = corners.T
+    z: NDArray[np.complex128] = (c - a) / (b - a)
+    z.imag = np.maximum(z.imag, _THINNEST * np.abs(z))  # positive triangles, whatever rounding made of the thinnest
+    return z
+
+
+def _areas(start: NDArray[np.complex128], end: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Twice the area, and pi plus and minus the difference of the angles at the base, each at both ends; (m, 6)."""
+    columns = []
+    for corners in (start, end):
+        columns.append(np.abs(corners[:, 1] - corners[:, 0]) ** 2 * _third(corners).imag)
+    for s in (0, 1):
+        for corners in (start, end):
+            angles = base_angles(_third(corners))
+            columns.append(2 * angles[:, s] + angles[:, 2])
+    return np.stack(columns, axis=1)
+
+
+@njit(cache=True)
+def _placed(laid, root, first_centre, last_centre, t, source, target):
+    """Shapes, (k, n, 2), from those laid out, (n, k), so moved that the centre of the root is where it should be."""
+    n, k = laid.shape
+    shapes = np.empty((k, n, 2))
+    for f in range(k):
+        if t[f] == 0.0:
+            shapes[f] = source
+        elif t[f] == 1.0:
+            shapes[f] = target
+        else:
+            root_centre = (laid[root[0], f] + laid[root[1], f] + laid[root[2], f]) * (1.0 / 3.0)
+            step = (1.0 - t[f]) * first_centre + t[f] * last_centre - root_centre
+            for i in range(n):
+                place = laid[i, f] + step
+                shapes[f, i, 0], shapes[f, i, 1] = place.real, place.imag
+    return shapes
+
+
+@njit(cache=True)
+def _root_base(source, target, by_squares, t):
+    """The base of the root, b - a, at every time."""
+    e1, e2 = source[1] - source[0], target[1] - target[0]
+    turn = cmath.phase(e2 / e1)
+    if abs(abs(turn) - math.pi) < _HALF_TURN:
+        apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
+        way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
+        if turn * way < 0.0:
+            turn += 2.0 * math.pi * way
+    e = np.empty(t.size, np.complex128)
+    for f in range(t.size):
+        if by_squares:
+            length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
+        else:
+            length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
+        e[f] = cmath.rect(length, cmath.phase(e1) + t[f] * turn)
+    return e
+
+
+@njit(cache=True)
+def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, last, low, high, sides):
+    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area and kept to the budgets."""
+    m, k = z.shape
+    place = np.empty(m, np.int64)
+    for i in range(m):
+        place[order[i]] = i
+    shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
+    bases[0] = root_base
+    shapes[corners[0, 0]] = 0.0
+    shapes[corners[0, 1]] = root_base
+    for i in range(m):
+        node = order[i]
+        if by_area:
+            for f in range(k):
+                double_area = (1 - t[f]) * areas[i, 0] + t[f] * areas[i, 1]
+                length = abs(bases[i, f])
+                above = (1 - t[f]) * areas[i, 2] + t[f] * areas[i, 3]
+                below = (1 - t[f]) * areas[i, 4] + t[f] * areas[i, 5]
+                z[i, f] = area_apex(double_area / (length * length), above, below)
+        if np.isfinite(low[i]).any():
+            for f in range(k):
+                z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i], sides[i], by_area)
+        a, c = corners[i, 0], corners[i, 2]
+        for f in range(k):  # array expressions would make an array each
+            shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
+        across_ab, across_bc = twin[node, base[node] % 3], twin[node, (base[node] + 1) % 3]
+        across_ca = twin[node, (base[node] + 2) % 3]
+        if across_ca >= 0:
+            child = place[across_ca // 3]
+            for f in range(k):
+                bases[child, f] = z[i, f] * bases[i, f]
+        if across_bc >= 0:
+            child = place[across_bc // 3]
+            for f in range(k):
+                bases[child, f] = (1.0 - z[i, f]) * bases[i, f]
+        if i == 0 and across_ab >= 0:
+            bases[place[across_ab // 3]] = -bases[0]
+    return shapes

@@ -1,0 +1,346 @@
+"""Motion between incompatible triangulations by gradual edge flips (Section 6.2).
+
+A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each
+flip as soon as its quadrilateral is strictly convex in the moving shape.  `Through` joins a leg from one
+shape and the flow of the other to a motion between the two (Figure 10):
+
+    S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
+
+Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
+ab that gives way to cd, as in `flips`.
+"""
+
+import heapq
+from collections import deque
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from tween.geometry.predicates import turn
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.compatible.paths import Path
+from tween.morphing.incompatible.flip_sequence import FlipSequence
+from tween.triangulating.compatibility import match_rows
+from tween.triangulating.flips import flip_in_place, is_convex, quadrilateral
+
+Order = Literal["partial", "sequential"]
+
+_SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
+_CHUNK = 16  # steps looked at together
+_SIXTEENTHS = np.arange(1, 17) / 16
+_REFINEMENTS = 5  # each divides the step by 16: times are found to 2e-9
+_SAMPLES = 33  # shapes by which the length of a piece is measured
+
+
+class Event(NamedTuple):
+    """A flip during a motion.
+
+    Attributes
+    ----------
+    time : float
+        When, from 0 to 1.
+    out, into : (int, int)
+        Ends of the diagonal that gives way, and of the one that comes, the smaller first.
+    """
+
+    time: float
+    out: tuple[int, int]
+    into: tuple[int, int]
+
+
+class Piece(NamedTuple):
+    """Part of a motion.
+
+    Attributes
+    ----------
+    leg : Leg
+    start, stop : float
+        The times of the leg between which it runs; backwards where start > stop.
+    """
+
+    leg: Leg
+    start: float
+    stop: float
+
+    def at(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at shares of the piece.
+
+        Parameters
+        ----------
+        share : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+        return self.leg.at(self.start + share * (self.stop - self.start))
+
+    def reversed(self) -> "Piece":
+        """Run the same part backwards.
+
+        Returns
+        -------
+        Piece
+        """
+        return Piece(self.leg, self.stop, self.start)
+
+
+class Flow:
+    """A shape on its way to its disk, flipping to another triangulation as it goes.
+
+    Parameters
+    ----------
+    T : Triangulation
+    flips : FlipSequence
+        From T to the other triangulation.
+    path : str
+    root : "disk-center", "tree-center" or int
+    order : {"partial", "sequential"}
+        "sequential" waits for each flip in turn, as the paper does.  "partial" lets a flip go ahead as
+        soon as it is possible and the flips before it that touch the same triangles are done.
+    guarantee : bool
+        Whether angle budgets keep every shape on the way the boundary of an immersed disk.
+
+    Attributes
+    ----------
+    end : float
+        When the last flip is done: u, or v, of the paper.
+    events : list of Event
+        The flips, in the order in which they happen, with their times.
+    pieces : list of Piece
+        The motion from 0 to `end`, one piece between flips.
+    start, final : Triangulation
+        The shape at 0, and that at `end` under the other triangulation.
+
+    Notes
+    -----
+    Before each flip the motion is scanned in steps of 1/512 for the first time at which a waiting flip is
+    possible, exactly; that time is refined to 2e-9; a spell
+    of convexity shorter than a step may be missed.  After a flip the shape goes on from where it is to
+    the same disk, under the new triangles, so there is no jump.  At the disk every flip is possible.
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 6.2 and Figure 10.
+    """
+
+    def __init__(
+        self,
+        T: Triangulation,
+        flips: FlipSequence,
+        path: Path,
+        root: str | int,
+        order: Order,
+        guarantee: bool = False,
+    ) -> None:
+        self._flips, self._path, self._root, self._guarantee = flips, path, root, guarantee
+        self._rows = flips.rows.tolist()
+        self._changes = [
+            tuple(map(tuple, change)) for change in zip(flips.out.tolist(), flips.into.tolist(), strict=True)
+        ]
+        self.start, self._disk = T, T.on_disk().points
+        self._stages: list[int] = []
+        self._waiting = _Waiting(flips, sequential=order == "sequential")
+        self.events: list[Event] = []
+        self.pieces: list[Piece] = []
+        self.end = 0.0
+        self.final = self._flip_all_possible(T)
+        while self._waiting:
+            self._move_on()
+
+    def events_by_stage(self) -> list[tuple[Event, int]]:
+        """List the flips, each with the number of pieces that lie before it.
+
+        Returns
+        -------
+        list of (Event, int)
+        """
+        return list(zip(self.events, self._stages, strict=True))
+
+    def _move_on(self) -> None:
+        """Run to the first time at which a waiting flip is possible, and flip."""
+        leg = Leg(self.final, self._disk, self._path, root_triangle(self._root, self.final), self._guarantee)
+        share, points = self._first_possible(leg)
+        if share > 0:
+            self.pieces.append(Piece(leg, 0.0, share))
+        self.end = 1.0 if share == 1 else self.end + share * (1 - self.end)
+        self.final = self._flip_all_possible(self.final.moved(points))
+
+    def _flip_all_possible(self, T: Triangulation) -> Triangulation:
+        """Flip, and flip what that makes possible, until nothing more is possible in this shape."""
+        triangles, twin = T.triangles.copy(), T.twin.copy()
+        candidates = self._waiting.ready()
+        while candidates:
+            flip = heapq.heappop(candidates)
+            h = shared_edge(twin, *self._rows[flip])
+            if is_convex(T.points, triangles, twin, h):
+                flip_in_place(triangles, twin, h)
+                self.events.append(Event(self.end, *self._changes[flip]))
+                self._stages.append(len(self.pieces))
+                for freed in self._waiting.done(flip):
+                    heapq.heappush(candidates, freed)
+        return Triangulation(T.points, triangles)._knowing(twin)
+
+    def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
+        """The first share of the leg at which a waiting flip is possible, and the shape there."""
+        T = leg.source
+        quads = _quadrilaterals(T.triangles, T.twin, self._flips.rows[self._waiting.ready()])
+        step = min(1.0, _SCAN / (1 - self.end))
+        low, first = 0.0, -1
+        while first < 0 and low < 1:
+            shares = np.minimum(1.0, low + step * np.arange(1, _CHUNK + 1))
+            shapes = leg.at(shares)
+            first = first_convex(shapes, quads)
+            if first < 0:
+                low = shares[-1]
+        for _ in range(_REFINEMENTS):
+            low, high = (shares[first - 1] if first else low), shares[first]
+            shares = low + (high - low) * _SIXTEENTHS
+            shares[-1] = high
+            shapes = leg.at(shares)
+            first = first_convex(shapes, quads)
+        return float(shares[first]), shapes[first]
+
+
+class _Waiting:
+    """The flips still to do; a flip is ready when no earlier one waits for either of its two triangles."""
+
+    def __init__(self, flips: FlipSequence, sequential: bool) -> None:
+        self._rows: list[list[int]] = (np.zeros_like(flips.rows) if sequential else flips.rows).tolist()
+        self._queues: dict[int, deque[int]] = {}
+        for flip, rows in enumerate(self._rows):
+            for row in set(rows):
+                self._queues.setdefault(row, deque()).append(flip)
+        self._ready = {flip for flip in {queue[0] for queue in self._queues.values()} if self._is_ready(flip)}
+
+    def __bool__(self) -> bool:
+        return bool(self._ready)
+
+    def ready(self) -> list[int]:
+        """The flips that are ready, in order."""
+        return sorted(self._ready)
+
+    def done(self, flip: int) -> list[int]:
+        """Strike a flip off, and return those that it made ready."""
+        rows = set(self._rows[flip])
+        for row in rows:
+            self._queues[row].popleft()
+        self._ready.remove(flip)
+        freed = [f for f in {self._queues[row][0] for row in rows if self._queues[row]} if self._is_ready(f)]
+        self._ready.update(freed)
+        return freed
+
+    def _is_ready(self, flip: int) -> bool:
+        return all(self._queues[row][0] == flip for row in self._rows[flip])
+
+
+class Through:
+    """The motion from one shape to another by way of the other's flow (Figure 10).
+
+    It leads straight to the end of the flow, under the first shape's triangles, and back along the
+    flow to the other shape.
+
+    Parameters
+    ----------
+    T : Triangulation
+        The first shape; the flow ends with its triangles.
+    flow : Flow
+        Of the other shape.
+    path : str
+    root : "disk-center", "tree-center" or int
+        Of the way to the end of the flow.
+    guarantee : bool
+        Whether angle budgets keep every shape on that way the boundary of an immersed disk.
+
+    Attributes
+    ----------
+    stages : list of (float, ndarray)
+        The triangles in force and from when on; a flip hands two rows on to two rows.
+    events : list of Event
+
+    Notes
+    -----
+    Time is distributed so that at every moment the vertices move equally fast: the root mean square of
+    their velocities is constant, up to the sampling of each piece at 33 shapes.
+    """
+
+    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int, guarantee: bool = False) -> None:
+        end = T.moved(flow.final.points)
+        straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee)
+        self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
+        starts = self._set_pace()
+        rows = match_rows(flow.final.triangles, T.triangles)
+        self.stages = [(0.0, T.triangles)]
+        for start, piece in zip(starts[1:], self._pieces[1:], strict=False):
+            self.stages.append((start, piece.leg.source.triangles[rows]))
+        self.stages.append((1.0, flow.start.triangles[rows]))
+        self.events = [Event(starts[-1 - stage], e.into, e.out) for e, stage in reversed(flow.events_by_stage())]
+
+    def _set_pace(self) -> list[float]:
+        """Distribute time over the pieces; returns when each begins, and 1."""
+        pieces = self._pieces
+        shares = np.linspace(0.0, 1.0, _SAMPLES)
+        steps = np.concatenate([_steps(piece.at(shares)) for piece in pieces])
+        length = np.concatenate([[0.0], np.cumsum(steps)])
+        self._time = length / length[-1] if length[-1] > 0 else np.linspace(0.0, 1.0, len(length))
+        self._place = np.linspace(0.0, len(pieces), len(length))
+        starts: list[float] = self._time[:: _SAMPLES - 1].tolist()
+        return starts
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at many times.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+        place = np.interp(t, self._time, self._place)
+        number = np.minimum(place.astype(np.int64), len(self._pieces) - 1)
+        shapes = np.empty((len(t), *self._pieces[0].leg.target.shape))
+        for i in np.unique(number):
+            here = number == i
+            shapes[here] = self._pieces[i].at(place[here] - i)
+        return shapes
+
+
+def _steps(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Root mean square displacement of the vertices from shape to shape."""
+    moved: NDArray[np.float64] = np.sqrt((np.diff(shapes, axis=0) ** 2).sum(axis=2).mean(axis=1))
+    return moved
+
+
+@njit(cache=True)
+def first_convex(shapes, quads):
+    """The first of the shapes, (k, n, 2), in which one of the quads, (q, 4), is strictly convex; -1 for none."""
+    for f in range(len(shapes)):
+        for a, b, c, d in quads:
+            if turn(shapes[f], d, b, c) > 0 and turn(shapes[f], c, a, d) > 0:
+                return f
+    return -1
+
+
+@njit(cache=True)
+def _quadrilaterals(triangles, twin, rows):
+    """Corners a, b, c, d around the edges that pairs of triangles, (q, 2), share; shape (q, 4)."""
+    quads = np.empty((len(rows), 4), np.int64)
+    for q in range(len(rows)):
+        quads[q] = quadrilateral(triangles, twin, shared_edge(twin, rows[q, 0], rows[q, 1]))
+    return quads
+
+
+@njit(cache=True)
+def shared_edge(twin, t, u):
+    """The half-edge of triangle t across which triangle u lies; -1 where they are no neighbours."""
+    for s in range(3):
+        if twin[t, s] // 3 == u:
+            return 3 * t + s
+    return -1

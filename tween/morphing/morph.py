@@ -1,0 +1,229 @@
+"""What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
+
+from collections.abc import Iterator
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tween.morphing.alignment import Alignment
+from tween.morphing.incompatible.flow import Event
+from tween.triangulating.compatibility import match_rows
+
+_AT_ONCE = 2**21  # vertices times frames that are laid out at once
+
+
+class Motion(Protocol):
+    """What a `Morph` runs.
+
+    Attributes
+    ----------
+    stages : list of (float, ndarray)
+        The triangles in force, and from when on.
+    events : list of Event
+        The flips, in order of time.
+    """
+
+    stages: list[tuple[float, NDArray[np.int64]]]
+    events: list[Event]
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the shapes at many times.
+
+        Parameters
+        ----------
+        t : ndarray of float64, shape (k,)
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+        """
+
+
+class Morph:
+    """A morph between two shapes; made by `tween.morph`.
+
+    Calling it with a time, 0 to 1, gives the shape at that time.
+
+    Attributes
+    ----------
+    source, target : Triangulation
+        What it leads from and to; vertex i of one moves to vertex i of the other.
+    source_vertices, target_vertices : ndarray of int, shape (n,)
+        Which vertex of the input each vertex is; -1 where it was inserted.
+    alignment : Alignment
+        How the two were matched.
+    events : list of Event
+        The flips on the way, in order of time; none between compatible triangulations.
+    proof : str
+        Why every shape bounds an immersed disk, where that is so by construction; otherwise empty.
+    u, v : float or None
+        When the flow of the source, and that of the target, has done its last flip; None without flips.
+    """
+
+    def __init__(
+        self,
+        motion: Motion,
+        alignment: Alignment,
+        backwards: bool,
+        shift: int,
+        flows: tuple[float, float] | None = None,
+        proof: str = "",
+    ) -> None:
+        self.proof = proof
+        self.alignment = alignment
+        self.source, self.target = alignment.source, alignment.target
+        self.source_vertices, self.target_vertices = alignment.source_vertices, alignment.target_vertices
+        self.u: float | None = flows[0] if flows else None
+        self.v: float | None = flows[1] if flows else None
+        self._motion, self._backwards, self._shift = motion, backwards, shift
+        self._stages = self._own_stages()
+        self.events = [self._own_event(e) for e in (reversed(motion.events) if backwards else motion.events)]
+
+    def __call__(self, t: float) -> NDArray[np.float64]:
+        """Return the shape at one time.
+
+        Parameters
+        ----------
+        t : float
+            From 0, the source, to 1, the target.
+
+        Returns
+        -------
+        ndarray of float64, shape (n, 2)
+        """
+        return self.at([t])[0]
+
+    def at(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Return the shapes at many times at once.
+
+        Parameters
+        ----------
+        times : array_like of float, shape (k,)
+            From 0 to 1, in any order.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+            At times 0 and 1 exactly the source and the target.
+
+        Raises
+        ------
+        ValueError
+            Where a time is not between 0 and 1.
+
+        Notes
+        -----
+        O(n k).
+        """
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
+            raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
+        shapes = self._motion.at(1 - t if self._backwards else t)
+        if self._shift:
+            shapes = np.roll(shapes, self._shift, axis=1)
+        shapes[t == 0] = self.source.points  # whatever rounding the motion, or a baseline, leaves there
+        shapes[t == 1] = self.target.points
+        return shapes
+
+    def frames(self, k: int, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+        """Return k shapes, evenly spaced in time, both ends included.
+
+        Parameters
+        ----------
+        k : int
+            At least 2.
+        out : ndarray of float64, shape (k, n, 2), optional
+            Where to write to, such as a memory map for what does not fit into memory.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, n, 2)
+
+        Notes
+        -----
+        O(n k), by blocks of frames, so that beside the result little memory is needed.
+        """
+        shapes = np.empty((self._count(k), len(self.source), 2)) if out is None else out
+        first = 0
+        for block in self._blocks(k):
+            shapes[first : first + len(block)] = block
+            first += len(block)
+        return shapes
+
+    def each_frame(self, k: int) -> Iterator[NDArray[np.float64]]:
+        """Yield the shapes of `frames` one after the other.
+
+        Parameters
+        ----------
+        k : int
+            At least 2.
+
+        Yields
+        ------
+        ndarray of float64, shape (n, 2)
+        """
+        for block in self._blocks(k):
+            yield from block
+
+    def _count(self, k: int) -> int:
+        if k < 2:
+            raise ValueError(f"{k} frames were asked for, expected at least 2: the source and the target")
+        return k
+
+    def _blocks(self, k: int) -> Iterator[NDArray[np.float64]]:
+        times = np.linspace(0.0, 1.0, self._count(k))
+        block = max(1, _AT_ONCE // len(self.source))
+        for first in range(0, k, block):
+            yield self.at(times[first : first + block])
+
+    def triangles_at(self, t: float) -> NDArray[np.int64]:
+        """Return the triangles in force at a time.
+
+        Parameters
+        ----------
+        t : float
+
+        Returns
+        -------
+        ndarray of int, shape (n-2, 3)
+            The two triangles of a flip keep their rows.  From the time of a flip on these are the new
+            ones, but at 0 always the source's.
+        """
+        return self._stages[self.stage_at(np.array([t]))[0]][1]
+
+    def stage_at(self, times: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Tell between which flips times lie: equal numbers, equal triangles.
+
+        Parameters
+        ----------
+        times : ndarray of float64, shape (k,)
+
+        Returns
+        -------
+        ndarray of int, shape (k,)
+        """
+        starts = np.array([start for start, _ in self._stages])
+        stages = np.searchsorted(starts, times, side="right") - 1
+        return np.where(times == 0, 0, stages)
+
+    def _own_stages(self) -> list[tuple[float, NDArray[np.int64]]]:
+        """The motion's stages in this morph's time, vertices and rows."""
+        stages = [(s, (triangles + self._shift) % len(self.source)) for s, triangles in self._motion.stages]
+        if self._backwards:
+            starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
+            stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        rows = match_rows(stages[0][1], self.source.triangles)
+        return [(s, triangles[rows]) for s, triangles in stages]
+
+    def _own_event(self, event: Event) -> Event:
+        time, out, into = event
+        if self._backwards:
+            time, out, into = 1 - time, into, out
+        n, shift = len(self.source), self._shift
+        own = [((a + shift) % n, (b + shift) % n) for a, b in (out, into)]
+        return Event(time, (min(own[0]), max(own[0])), (min(own[1]), max(own[1])))
+
+    def __repr__(self) -> str:
+        return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"

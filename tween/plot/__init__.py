@@ -1,0 +1,48 @@
+"""Figures and animations, as if drawn by one hand; only here matplotlib is imported."""
+
+from tween.plot.animation import save_animation
+from tween.plot.measures import draw_area_matrix, draw_singular_values, draw_vertex_sums, draw_winding
+from tween.plot.shapes import (
+    EDGE,
+    FAILURE,
+    INK,
+    PIVOT,
+    RANDOM,
+    SOURCE,
+    TARGET,
+    TREE,
+    draw_dual_tree,
+    draw_filmstrip,
+    draw_shape,
+    draw_spine,
+    draw_triangulation,
+    identity_colors,
+    regions,
+    use_style,
+    winding_number,
+)
+
+__all__ = [
+    "EDGE",
+    "FAILURE",
+    "INK",
+    "PIVOT",
+    "RANDOM",
+    "SOURCE",
+    "TARGET",
+    "TREE",
+    "draw_area_matrix",
+    "draw_dual_tree",
+    "draw_filmstrip",
+    "draw_shape",
+    "draw_singular_values",
+    "draw_spine",
+    "draw_triangulation",
+    "draw_vertex_sums",
+    "draw_winding",
+    "identity_colors",
+    "regions",
+    "save_animation",
+    "use_style",
+    "winding_number",
+]

@@ -1,0 +1,325 @@
+"""Compiled kernels of the table of Shor and Van Wyk and of the walks through it.
+
+The table keeps, for every vertex i, the list of j for which the pair (i, j) holds, see
+`table` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
+
+Pairs that no triangulation of the whole curve can use are not worth keeping.  Its turning number is 1, so the
+triangles at a vertex fill the curve's interior angle there, which is less than 2 pi; hence a diagonal leaves
+either of its ends through that angle.  Where it would not, the pair is left out: of a random disk of 2,000
+vertices two thirds of the pairs.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+from tween.geometry.predicates import in_circumcircle, orient2d_sign, turn
+
+
+@njit(cache=True)
+def _left_turn(points, i, k, j):
+    """Whether i, k, j is a left turn in every curve."""
+    for c in range(points.shape[0]):
+        if turn(points[c], i, k, j) <= 0:
+            return False
+    return True
+
+
+@njit(cache=True)
+def _reflex(points):
+    """Whether the turn at each vertex of each curve is a right turn, shape (c, n)."""
+    curves, n = points.shape[:2]
+    reflex = np.empty((curves, n), np.bool_)
+    for c in range(curves):
+        for i in range(n):
+            reflex[c, i] = turn(points[c], i - 1, i, (i + 1) % n) < 0
+    return reflex
+
+
+@njit(cache=True)
+def _leaves_inwards(points, reflex, i, j):
+    """Whether the segment from i to j leaves i through the interior angle, in every curve."""
+    n = points.shape[1]
+    before, after = (i - 1) % n, (i + 1) % n
+    for c in range(points.shape[0]):
+        past_after, ahead_of_before = turn(points[c], i, after, j) > 0, turn(points[c], i, j, before) > 0
+        if not ((past_after or ahead_of_before) if reflex[c, i] else (past_after and ahead_of_before)):
+            return False
+    return True
+
+
+@njit(cache=True)
+def find_pairs(points, most):
+    """Find the pairs that hold: row i is ``ends[first[i]:last[i]]``, ascending; row n-2 comes first.
+
+    Gives up as soon as there are more than ``most``.
+    """
+    n = points.shape[1]
+    single, x, y = points.shape[0] == 1, points[0, :, 0].copy(), points[0, :, 1].copy()
+    reflex = _reflex(points)
+    first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
+    ends = np.empty(8 * n, np.int32)
+    size = 0
+    decided_for, holds = np.full(n, -1, np.int64), np.zeros(n, np.bool_)
+    for i in range(n - 2, -1, -1):
+        first[i] = size
+        decided_for[i + 1], holds[i + 1] = i, True
+        farthest = i + 1
+        for k in range(i + 1, n):
+            if k > farthest:
+                break
+            if decided_for[k] != i or not holds[k]:
+                continue
+            if size == ends.size:
+                ends = np.concatenate((ends, np.empty_like(ends)))
+            ends[size] = k
+            size += 1
+            for place in range(first[k], last[k]):
+                j = ends[place]
+                if decided_for[j] == i:
+                    continue
+                if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else _left_turn(points, i, k, j):
+                    is_edge = i == 0 and j == n - 1
+                    decided_for[j] = i
+                    holds[j] = is_edge or (
+                        _leaves_inwards(points, reflex, i, j) and _leaves_inwards(points, reflex, j, i)
+                    )
+                    if holds[j]:
+                        farthest = max(farthest, j)
+        last[i] = size
+        if size > most:
+            break
+    return first, last, ends[:size].copy()
+
+
+@njit(cache=True)
+def find_pair(first, last, ends, i, j):
+    """The place of pair (i, j) in the table, -1 where it does not hold."""
+    low, high = first[i], last[i]
+    while low < high:
+        middle = (low + high) // 2
+        if ends[middle] < j:
+            low = middle + 1
+        else:
+            high = middle
+    return low if low < last[i] and ends[low] == j else -1
+
+
+@njit(cache=True)
+def walk(points, first, last, ends, n, take_last):
+    """The triangulation that takes the first (or last) split everywhere."""
+    triangles = np.empty((n - 2, 3), np.int64)
+    stack = [(np.int64(0), np.int64(n - 1))]
+    for t in range(n - 2):
+        i, j = stack.pop()
+        while j == i + 1:
+            i, j = stack.pop()
+        low, high = first[i], last[i]
+        for step in range(high - low):
+            k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
+            if k < j and find_pair(first, last, ends, k, j) >= 0 and _left_turn(points, i, k, j):
+                break
+        triangles[t] = i, k, j
+        stack.append((k, j))
+        stack.append((i, k))
+    return triangles
+
+
+@njit(cache=True)
+def needed_pairs(points, first, last, ends, pairs):
+    """Mark the pairs that a triangulation of the whole curve can need, parents before children."""
+    n = points.shape[1]
+    needed = np.zeros(len(pairs), np.bool_)
+    needed[find_pair(first, last, ends, 0, n - 1)] = True
+    total = 0
+    for pair in range(len(pairs) - 1, -1, -1):
+        i, j = pairs[pair]
+        if not needed[pair]:
+            continue
+        for left in range(first[i], pair):
+            k = ends[left]
+            right = find_pair(first, last, ends, k, j)
+            if right >= 0 and _left_turn(points, i, k, j):
+                needed[left] = needed[right] = True
+                total += 1
+    return needed, total
+
+
+@njit(cache=True)
+def list_splits(points, first, last, ends, pairs, needed, total):
+    """List the splits of every needed pair, by ascending apex."""
+    splits = np.zeros(len(pairs) + 1, np.int64)
+    apex, lefts, rights = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.int32)
+    size = 0
+    for pair in range(len(pairs)):
+        i, j = pairs[pair]
+        if needed[pair]:
+            for left in range(first[i], pair):
+                k = ends[left]
+                right = find_pair(first, last, ends, k, j)
+                if right >= 0 and _left_turn(points, i, k, j):
+                    apex[size], lefts[size], rights[size] = k, left, right
+                    size += 1
+        splits[pair + 1] = size
+    return splits, apex, lefts, rights
+
+
+@njit(cache=True)
+def count_in_floats(first, left, right):
+    """Count the triangulations of every pair as mantissa * 2**exponent."""
+    pairs = first.size - 1
+    mantissas, exponents = np.full(pairs, 0.5), np.ones(pairs, np.int64)
+    for pair in range(pairs):
+        low, high = first[pair], first[pair + 1]
+        if low == high:
+            continue
+        top = exponents[left[low]] + exponents[right[low]]
+        for s in range(low + 1, high):
+            top = max(top, exponents[left[s]] + exponents[right[s]])
+        total = 0.0
+        for s in range(low, high):
+            shift = exponents[left[s]] + exponents[right[s]] - top
+            total += math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
+        mantissas[pair], shift = math.frexp(total)
+        exponents[pair] = top + shift
+    return mantissas, exponents
+
+
+@njit(cache=True)
+def draw(whole, first, apex, left, right, ends, mantissas, exponents, uniforms):
+    """Walk down from the whole curve once for every row of uniform numbers, one number a triangle."""
+    samples, triangles_each = uniforms.shape
+    triangles = np.empty((samples, triangles_each, 3), np.int64)
+    stack = np.empty(2 * triangles_each + 2, np.int64)
+    for row in range(samples):
+        stack[0], size, t = whole, 1, 0
+        while size > 0:
+            size -= 1
+            pair = stack[size]
+            if first[pair] == first[pair + 1]:
+                continue
+            rest = uniforms[row, t] * mantissas[pair]
+            s = first[pair]
+            for s in range(first[pair], first[pair + 1]):
+                shift = exponents[left[s]] + exponents[right[s]] - exponents[pair]
+                rest -= math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
+                if rest < 0.0:
+                    break
+            triangles[row, t] = ends[pair, 0], apex[s], ends[pair, 1]
+            t += 1
+            stack[size], stack[size + 1] = right[s], left[s]
+            size += 2
+    return triangles
+
+
+@njit(cache=True)
+def best_splits(first, left, right, costs, largest_counts):
+    """The first split of least cost of every pair; -1 where it has none."""
+    pairs = first.size - 1
+    value, best = np.zeros(pairs), np.full(pairs, -1, np.int64)
+    if largest_counts:
+        value[:] = -np.inf
+    for pair in range(pairs):
+        for s in range(first[pair], first[pair + 1]):
+            if largest_counts:
+                total = max(costs[s], value[left[s]], value[right[s]])
+            else:
+                total = costs[s] + value[left[s]] + value[right[s]]
+            if best[pair] < 0 or total < value[pair]:
+                best[pair], value[pair] = s, total
+    return best
+
+
+@njit(cache=True)
+def follow(whole, ends, apex, left, right, best, count):
+    """The triangles of the chosen splits."""
+    chosen = np.empty((count, 3), np.int64)
+    stack = np.empty(2 * count + 2, np.int64)
+    stack[0], size, t = whole, 1, 0
+    while size > 0:
+        size -= 1
+        pair = stack[size]
+        s = best[pair]
+        if s >= 0:
+            chosen[t] = ends[pair, 0], apex[s], ends[pair, 1]
+            t += 1
+            stack[size], stack[size + 1] = right[s], left[s]
+            size += 2
+    return chosen
+
+
+@njit(cache=True)
+def _delaunay_sign(points, a, b, c, d):
+    """`incircle` of a, b, c, d with ties broken as if vertices of small number lay a little higher on the paraboloid.
+
+    The determinant is a sum of lifted heights, each times the orientation of the three other points
+    with alternating signs; where it vanishes the highest vertex decides.
+    """
+    sign = in_circumcircle(points, a, b, c, d)
+    if sign != 0:
+        return sign
+    first = min(a, b, c, d)
+    if first == a:
+        return turn(points, b, c, d)
+    if first == b:
+        return -turn(points, a, c, d)
+    if first == c:
+        return turn(points, a, b, d)
+    return -turn(points, a, b, c)
+
+
+@njit(cache=True)
+def delaunay_splits(points, ends, first, apex, left, right):
+    """For every split, how many all-Delaunay triangulations of its pair begin with it."""
+    counts = np.zeros(apex.size, np.int64)
+    for pair in range(first.size - 1):
+        i, j = ends[pair]
+        for s in range(first[pair], first[pair + 1]):
+            counts[s] = _beyond(points, ends, first, apex, counts, left[s], j)
+            if counts[s] > 0:
+                counts[s] *= _beyond(points, ends, first, apex, counts, right[s], i)
+    return counts
+
+
+@njit(cache=True)
+def _beyond(points, ends, first, apex, counts, pair, opposite):
+    """How many all-Delaunay triangulations of a pair agree with the vertex opposite across it."""
+    if first[pair] == first[pair + 1]:
+        return 1
+    i, j = ends[pair]
+    total = 0
+    for s in range(first[pair], first[pair + 1]):
+        if counts[s] > 0 and _delaunay_sign(points, i, apex[s], j, opposite) <= 0:
+            total += counts[s]
+    return total
+
+
+@njit(cache=True)
+def delaunay_triangles(points, ends, first, apex, left, right, counts, whole, number):
+    """The all-Delaunay triangulation of a given number, from 0."""
+    n = points.shape[0]
+    triangles = np.empty((n - 2, 3), np.int64)
+    pairs, opposites, ranks = np.empty(2 * n, np.int64), np.empty(2 * n, np.int64), np.empty(2 * n, np.int64)
+    pairs[0], opposites[0], ranks[0] = whole, -1, number
+    size, t = 1, 0
+    while size > 0:
+        size -= 1
+        pair, opposite, rank = pairs[size], opposites[size], ranks[size]
+        if first[pair] == first[pair + 1]:
+            continue
+        i, j = ends[pair]
+        s = first[pair]
+        while True:
+            if counts[s] > 0 and (opposite < 0 or _delaunay_sign(points, i, apex[s], j, opposite) <= 0):
+                if rank < counts[s]:
+                    break
+                rank -= counts[s]
+            s += 1
+        triangles[t] = i, apex[s], j
+        t += 1
+        ways = _beyond(points, ends, first, apex, counts, left[s], j)
+        pairs[size], opposites[size], ranks[size] = right[s], i, rank // ways
+        pairs[size + 1], opposites[size + 1], ranks[size + 1] = left[s], j, rank % ways
+        size += 2
+    return triangles
