@@ -2,7 +2,7 @@ r"""Straight motion between frames: whether every instant of it bounds an immers
 
 What people play is frames, and straight motion between them: vertex v goes from one place a to the next, b, as
 (1-s) a + s b, for all real s from 0 to 1.  Let the triangles be those of a disk and let both frames keep every rule
-of `tween.certificate` under them.  Then two things alone can go wrong on the way:
+of `tween.measuring.frame_check` under them.  Then two things alone can go wrong on the way:
 
 1.  *A triangle loses its area.*  Twice its area is a quadratic with Bernstein coefficients c0, c1, c2,
 
@@ -33,8 +33,8 @@ frames and between.  Either will do: to bound an immersed disk is a property of 
 
 *How it is decided.*  In doubles with bounds on all rounding errors; a vertex that is in doubt, once more in sixteen
 pieces.  The few elements still in doubt are decided in whole numbers: doubles of the range that frames may have
-are multiples of 2**-252, and a root of a quadratic is a + b sqrt(d), whose sign needs no root.  Only predicates and
-the check of single frames are shared with the rest of tween, nothing of morphs and what they promise.
+are multiples of 2**-252, and a root of a quadratic is a + b sqrt(d), whose sign needs no root.  No code is shared with
+the rest of tween.
 
 Legend: ``a b`` a place at s = 0 and at s = 1; ``u w`` edges at a vertex; ``c0 c1 c2`` Bernstein coefficients, ``e0 e1 e2``
 bounds of their errors; ``f`` frame; ``m`` number of triangles; ``x`` = s / (1-s).
@@ -47,15 +47,12 @@ P. W. Shor, C. J. Van Wyk, *Detecting and decomposing self-overlapping curves*, 
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import isqrt, ldexp
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
-from numpy.typing import ArrayLike, NDArray
-
-from tween.certificate import Certificate, Failure, verify
+from numpy.typing import NDArray
 
 _ROUNDING = 2.0**-50  # relative, eight times that of one operation: a coefficient takes five, one after the other
 _SLACK = 1.0 - 2.0**-48  # for the handful of operations that compare what is known with its bounds
@@ -82,65 +79,6 @@ class Breach(NamedTuple):
     s: float
     kind: str
     element: int
-
-
-def verify_straight(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = None) -> Certificate:
-    """Check whether straight motion from frame to frame, whoever made them, bounds immersed disks at every instant.
-
-    Parameters
-    ----------
-    frames : array_like, shape (k, n, 2)
-        Vertices in order along the curve, counter-clockwise, in the order in which they are played.
-    triangles : array_like of int, shape (n-2, 3) or (k, n-2, 3)
-        Corners of the triangles, counter-clockwise; one list for all frames, or one for each.
-    times : array_like of float, shape (k,), optional
-        When each frame is reached, never falling; evenly spaced from 0 to 1 unless given.
-
-    Returns
-    -------
-    Certificate
-        Valid where all frames keep the rules of `tween.verify` and every instant between them does.  `first_failure`
-        tells the time, the frames before and after, how much of the way from one to the other was done, the
-        rule, and the triangle or vertex.
-
-    Raises
-    ------
-    ValueError
-        Where an array has another shape or type, or times fall.  All else is answered, not raised.
-
-    Notes
-    -----
-    Exact: it decides about real numbers s and the frames as they are given, not about what a player makes of
-    them.  Where triangles fold between frames with equal triangles, these do not show a disk at that instant, whether or not
-    others would; between frames whose triangles differ, one of the two lists has to hold all the way.  O(n k).
-
-    Examples
-    --------
-    >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
-    >>> upside_down = [[1, 1], [0, 1], [0, 0], [1, 0]]
-    >>> bool(verify_straight([square, [[0, 0], [3, 0], [3, 1], [0, 1]]], [[0, 1, 2], [0, 2, 3]]))
-    True
-    >>> verify_straight([square, upside_down], [[0, 1, 2], [0, 2, 3]]).first_failure.rule
-    'triangle 0 [0, 1, 2] loses its area between frames 0 and 1, at 0.5 of the way'
-
-    References
-    ----------
-    Surazhsky and Gotsman (2001).
-    """
-    certificate = verify(frames, triangles, times)
-    shapes = np.asarray(frames, dtype=np.float64)
-    shapes = np.ascontiguousarray(shapes.reshape(-1, *shapes.shape[-2:]))
-    t = np.linspace(0.0, 1.0, len(shapes)) if times is None else np.asarray(times, dtype=np.float64)
-    if (np.diff(t) < 0).any():
-        raise ValueError("times fall, expected the frames in the order in which they are played")
-    if not certificate:
-        return certificate
-    lists = np.broadcast_to(np.asarray(triangles, np.int64), (len(shapes), shapes.shape[1] - 2, 3))
-    failures = _interval_failures(shapes, lists, t)
-    between = f"exact at {len(t)} frames and at every instant of straight motion between them"
-    if failures:
-        between = f"exact at {len(t)} frames; {len(failures)} of the {len(t) - 1} intervals between them broken"
-    return replace(certificate, first_failure=failures[0] if failures else None, proof=between)
 
 
 def breaches(
@@ -184,54 +122,6 @@ def breaches(
         ]
         found[f] = min(broken, default=None)
     return found
-
-
-# Intervals
-
-
-def _interval_failures(
-    shapes: NDArray[np.float64], lists: NDArray[np.int64], t: NDArray[np.float64]
-) -> list[Failure]:
-    """The failures between frames that are all valid, at most one an interval, in order."""
-    same = (lists[1:] == lists[:-1]).all(axis=(1, 2))
-    failures: list[Failure | None] = [None] * len(same)
-    steady = np.flatnonzero(same)
-    for f, breach in zip(steady.tolist(), breaches(shapes[steady], shapes[steady + 1], lists[steady]), strict=True):
-        failures[f] = breach and _failure(breach, f, lists[f], t)
-    for f in np.flatnonzero(~same).tolist():
-        failures[f] = _failure_at_flip(f, shapes, lists, t)
-    return [failure for failure in failures if failure]
-
-
-def _failure(breach: Breach, f: int, triangles: NDArray[np.int64], t: NDArray[np.float64]) -> Failure:
-    s, kind, element = breach
-    what = f"triangle {element} {triangles[element].tolist()} loses its area"
-    if kind == "vertex":
-        what = f"the angles at vertex {element} reach 2 pi"
-    where = f"between frames {f} and {f + 1}, at {s:.17g} of the way"
-    return Failure(float(t[f] + s * (t[f + 1] - t[f])), f"{what} {where}", element)
-
-
-def _failure_at_flip(
-    f: int, shapes: NDArray[np.float64], lists: NDArray[np.int64], t: NDArray[np.float64]
-) -> Failure | None:
-    """Why neither the triangles of frame f nor those of the next hold from one to the other; None where some do."""
-    reasons = []
-    for own, other, name in ((f, f + 1, "earlier"), (f + 1, f, "later")):
-        failure = verify(shapes[other], lists[own]).first_failure
-        if failure:
-            failure = failure._replace(t=float(t[other]), rule=f"{failure.rule} at frame {other}")
-        else:
-            (breach,) = breaches(shapes[f : f + 1], shapes[f + 1 : f + 2], lists[own : own + 1])
-            if breach is None:
-                return None
-            failure = _failure(breach, f, lists[own], t)
-            if breach.kind == "vertex" and own == f:
-                return failure  # up to there the earlier triangles show the angles: no others would help
-        reasons.append((failure, name))
-    texts = "; ".join(f"of the {name} ones, {failure.rule}" for failure, name in reasons)
-    rule = f"neither of two lists of triangles holds between frames {f} and {f + 1}: {texts}"
-    return reasons[0][0]._replace(rule=rule)
 
 
 # The filter

@@ -15,8 +15,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tween import straight, verify
-from tween.straight import breaches, verify_straight
+from tween import verify
+from tween.measuring.straight_motion import Breach, breaches
 
 ROOT = Path(__file__).resolve().parent.parent
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -97,7 +97,7 @@ def nudged(frames: NDArray[np.float64], rng) -> NDArray[np.float64]:
     return np.where(frames == 0, 0.0, frames + ulps * np.spacing(np.abs(frames)))
 
 
-def agrees(found: straight.Breach | None, truth: sturm.Found | None) -> bool:
+def agrees(found: Breach | None, truth: sturm.Found | None) -> bool:
     if found is None or truth is None:
         return found is truth is None
     s, *element = found
