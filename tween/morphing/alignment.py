@@ -6,11 +6,12 @@ Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift``
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tween.choices import SHIFT_RULES, Shifts
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
@@ -20,8 +21,6 @@ from tween.triangulating.costs import distortion
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.flips import remesh
 from tween.triangulating.table import is_small
-
-Shifts = Literal["pivots", "all"] | int
 
 
 @dataclass(frozen=True)
@@ -151,7 +150,7 @@ def check_shifts(shifts: Shifts) -> None:
     ValueError
         For anything else.
     """
-    if shifts not in ("pivots", "all") and (isinstance(shifts, str) or int(shifts) != shifts):
+    if shifts not in SHIFT_RULES and (isinstance(shifts, str) or int(shifts) != shifts):
         raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
 
 

@@ -5,17 +5,17 @@ come first in the order of bytes to the other, and reversed where the caller wan
 symmetric, however ties are broken inside.
 """
 
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tween.choices import ORDERS, PATHS, STRATEGIES, Order, Path, Root, Shifts, Strategy
 from tween.errors import IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import (
     Alignment,
-    Shifts,
     check_shifts,
     common,
     equal_counts,
@@ -23,16 +23,12 @@ from tween.morphing.alignment import (
     match,
 )
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import PATHS, Path
 from tween.morphing.incompatible.flip_sequence import FlipSequence, crossings_by_shift, flip_sequence
-from tween.morphing.incompatible.flow import Event, Flow, Order, Through, shared_edge
+from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
 from tween.morphing.morph import Morph
 from tween.triangulating.compatibility import compatible_shift, match_rows
 from tween.triangulating.flips import flip_in_place
-
-Root = Literal["disk-center", "tree-center"] | int
-Strategy = Literal["auto", "paper", "common"]
 
 # What "auto" takes upon itself in search of a common triangulation, some seconds each.
 _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
@@ -194,8 +190,8 @@ def _check_options(path: str, strategy: str = "auto", order: str = "partial", sh
     check_shifts(shifts)
     for name, value, allowed in (
         ("path", path, PATHS),
-        ("strategy", strategy, ("auto", "paper", "common")),
-        ("order", order, ("partial", "sequential")),
+        ("strategy", strategy, STRATEGIES),
+        ("order", order, ORDERS),
     ):
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
