@@ -88,7 +88,7 @@ class _Version(argparse.Action):
     """Print the version of the package that is installed."""
 
     def __call__(self, *_: Any) -> None:
-        print("tween", metadata.version("tween"))
+        print("tween", metadata.version("tween-immersions"))
         raise SystemExit(0)
 
 
