@@ -33,7 +33,7 @@ Color = tuple[int, int, int]
 OPACITY = 0.45
 """Of one layer of a disk."""
 
-_TOLERANCE = 1e-3  # of a shape's width, between the shapes of a playback: half a pixel of 480
+_TOLERANCE = 2e-3  # of a shape's width, between the shapes of a playback: a pixel of 480
 _MARGIN = 0.04  # of the longer side, on every side
 """Pixels of a side, least and most."""
 

@@ -21,7 +21,7 @@ from tween.measuring.certificate import verify
 from tween.plot.film import OPACITY, Film
 
 _UNITS = 5000
-_FINEST = 5_000_000  # whole numbers that browsers, which compute with 24 bits, still tell apart
+_FINEST = 5_000_000_000_000  # whole numbers that doubles tell apart
 _PLAYER = Path(__file__).with_name("player.html")
 
 
