@@ -103,7 +103,7 @@ def csv_frames(data: bytes) -> dict[str, Any]:
     >>> csv_frames(table)["frames"].shape
     (1, 3, 2)
     """
-    header, *lines = data.decode("utf-8", errors="replace").split()
+    header, *lines = data.decode("utf-8", errors="replace").split() or [""]
     if header != _HEADER:
         raise FileError(f"begins with {reprlib.repr(header)}, expected {_HEADER}")
     try:
