@@ -1,6 +1,6 @@
 """The dual tree of a triangulation: a node for each triangle, an edge for each diagonal.
 
-Legend: ``s t`` nodes (triangle numbers); ``h`` half-edges as in `triangulation`.
+Legend: ``s t`` nodes (triangle numbers); ``h`` half-edges as in `.triangulation`.
 """
 
 from typing import NamedTuple

@@ -5,7 +5,7 @@ smaller than its rounding error could be, they evaluate it again without any rou
 *floating-point expansion*: a sum of doubles that do not overlap, smallest first, whose sign is the
 sign of its last term.
 
-The answer is exact for coordinates that are 0 or lie in magnitude within `EXACT_RANGE`.  Every term
+The answer is exact for coordinates that are 0 or lie in magnitude within `.EXACT_RANGE`.  Every term
 of the expansions is a multiple of the fourth power of the smallest last bit, (2**-200 * 2**-52)**4
 = 2**-1008, and stays below 2**820, so that nothing underflows or overflows on the way.
 `tween.Curve` refuses other coordinates.
@@ -242,7 +242,7 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> NDArray[np.int8]:
 
     Notes
     -----
-    Exact for coordinates within `EXACT_RANGE`, see the module.  Some nanoseconds a triple; about a
+    Exact for coordinates within `.EXACT_RANGE`, see the module.  Some nanoseconds a triple; about a
     microsecond for triples that are collinear to within rounding.
 
     Examples
@@ -276,7 +276,7 @@ def incircle(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> NDArray[
 
     Notes
     -----
-    Exact for coordinates within `EXACT_RANGE`, see the module.  Some nanoseconds a quadruple; up to
+    Exact for coordinates within `.EXACT_RANGE`, see the module.  Some nanoseconds a quadruple; up to
     some tens of microseconds for those that are cocircular to within rounding.
 
     Examples

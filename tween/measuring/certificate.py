@@ -16,7 +16,7 @@ with `turn` gives floor(angle sum / 2 pi), exactly.  The angles of n-2 triangles
 
     turning number  =  1 + sum over the vertices of floor(angle sum / 2 pi).
 
-Here is no code of `triangulation`, `curve` or the morphs: only the exact predicate is shared.
+Here is no code of `tween.geometry` but the exact predicate, and none of the morphs.
 
 Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``t`` time; ``stage`` number of the list of
 triangles in force; ``fault`` a rule's code and two numbers, (OK, 0, 0) for none.
@@ -145,7 +145,7 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
     -----
     The rules, all exact: n-2 triangles of three different vertices; each boundary edge in one triangle, in
     the direction of the curve; each diagonal in two, in opposite directions; dual graph connected; coordinates
-    finite and within `EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
+    finite and within `.EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
     one says that the curve has no spike and turning number 1, see the module.  O(n k).
 
     Examples

@@ -1,4 +1,4 @@
-"""Costs of triangles, for `Decomposition.optimal`: each makes a function from triangles to numbers.
+"""Costs of triangles, for `.Decomposition.optimal`: each makes a function from triangles to numbers.
 
 d.optimal(edge_length(points))                      least total length of the diagonals
 d.optimal(smallest_angle(points), "max")            largest smallest angle
@@ -70,7 +70,7 @@ def smallest_angle(points: NDArray[np.float64]) -> Cost:
 
 
 def distortion(source: NDArray[np.float64], target: NDArray[np.float64]) -> Cost:
-    """Make the cost of mapping triangles of one shape to those of another, for `Decomposition.optimal`.
+    """Make the cost of mapping triangles of one shape to those of another, for `.Decomposition.optimal`.
 
     Parameters
     ----------

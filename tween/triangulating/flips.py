@@ -9,7 +9,7 @@ keep their rows, and the edge its number:
         \   /                 \ | /
           d                     d
 
-Legend: ``h`` half-edges as in `triangulation`; ``a b c d`` the corners above.
+Legend: ``h`` half-edges as in `.triangulation`; ``a b c d`` the corners above.
 """
 
 from collections.abc import Callable
@@ -69,7 +69,7 @@ def locally_delaunay(T: Triangulation) -> NDArray[np.bool_]:
     Returns
     -------
     ndarray of bool, shape (n-3,)
-        Row for row with `Triangulation.diagonals`; True also for cocircular quadruples.
+        Row for row with `.Triangulation.diagonals`; True also for cocircular quadruples.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def flippable(T: Triangulation) -> NDArray[np.bool_]:
     Returns
     -------
     ndarray of bool, shape (n-3,)
-        Row for row with `Triangulation.diagonals`.
+        Row for row with `.Triangulation.diagonals`.
 
     Examples
     --------

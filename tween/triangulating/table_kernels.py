@@ -1,7 +1,7 @@
 """Compiled kernels of the table of Shor and Van Wyk and of the walks through it.
 
 The table keeps, for every vertex i, the list of j for which the pair (i, j) holds, see
-`table` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
+`.table` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
 
 Pairs that no triangulation of the whole curve can use are not worth keeping.  Its turning number is 1, so the
 triangles at a vertex fill the curve's interior angle there, which is less than 2 pi; hence a diagonal leaves

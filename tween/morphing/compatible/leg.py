@@ -1,7 +1,7 @@
 """Motion between compatible triangulations (Section 5), all times at once.
 
 The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
-its parent, and moves its third vertex along a path (`paths`).  Points are complex numbers here.
+its parent, and moves its third vertex along a path (`.paths`).  Points are complex numbers here.
 
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
@@ -39,11 +39,11 @@ class Leg:
     target : ndarray of float64, shape (n, 2)
         Points of the target; its triangles are the source's.
     path : str
-        See `paths`.
+        See `.paths`.
     root : int
         Number of the root triangle.
     guarantee : bool
-        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.angle_budgets`.
 
     Notes
     -----

@@ -7,7 +7,7 @@ shape and the flow of the other to a motion between the two (Figure 10):
     S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
 
 Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
-ab that gives way to cd, as in `flips`.
+ab that gives way to cd, as in `tween.flips`.
 """
 
 import heapq
