@@ -19,6 +19,7 @@ from tween.io.read_write import (
     read_curves,
     read_frames,
     read_stroke,
+    stroke,
     write_curve,
     write_frames,
     write_triangulation,
@@ -291,10 +292,10 @@ def test_a_stroke_of_path_data_is_that_of_a_file(tmp_path: Path) -> None:
     path = tmp_path / "loop.svg"
     path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{data}"/></svg>')
     for tolerance in (None, 0.5):
-        drawn = gallery.stroke(data, 6, tolerance)
+        drawn = stroke(data, 6, tolerance)
         np.testing.assert_array_equal(drawn.points, read_stroke(path, 6, tolerance=tolerance).points)
     assert len(drawn.crossings) > 0
-    assert len(gallery.stroke(data, 6, cap=4)) == len(gallery.stroke(data, 6)) + 8
+    assert len(stroke(data, 6, cap=4)) == len(stroke(data, 6)) + 8
 
 
 @pytest.mark.parametrize(
@@ -309,4 +310,4 @@ def test_a_stroke_of_path_data_is_that_of_a_file(tmp_path: Path) -> None:
 )
 def test_what_is_no_single_line_is_refused(data: str, words: str) -> None:
     with pytest.raises(CurveError, match=words):
-        gallery.stroke(data, 3)
+        stroke(data, 3)

@@ -67,7 +67,7 @@ def test_a_file_goes_before_a_curve_of_its_name(tmp_path: Path, monkeypatch: pyt
     with pytest.raises(FileError, match="no file 'ell'; the curve that comes with tween is gallery:ell"):
         curve_names.read_shape("ell")
     Path("ell").write_text("0,0\n1,0\n1,1\n")
-    with pytest.raises(FileError, match="^ell: has the suffix ''"):
+    with pytest.raises(FileError, match=r"^ell: has the suffix ''"):
         curve_names.read_shape("ell")
 
 

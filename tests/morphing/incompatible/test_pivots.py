@@ -112,8 +112,11 @@ def test_the_choice_among_the_pairings_makes_a_difference() -> None:
     assert spread > 30
 
 
-@given(convex_triangulations(16), st.integers(0, 100))
-def test_a_renumbered_triangulation_is_matched_without_a_crossing(T: Triangulation, roll: int) -> None:
+@given(convex_triangulations(16).filter(lambda T: len(T) > 3), st.integers(0, 100))
+def test_where_renumbering_keeps_the_spine_nothing_crosses(
+    T: Triangulation, roll: int
+) -> None:
     S = T.rolled(roll)
-    shift, _ = pivot_shift(S, T)
-    assert len(T) == 3 or crossings(S, T, shift) == 0
+    same = {frozenset((v + roll) % len(T) for v in corners) for corners in oracle.spine(S.triangles)}
+    if same == set(oracle.spine(T.triangles)):  # equally short branches are pruned by their numbers
+        assert crossings(S, T, pivot_shift(S, T)[0]) == 0
