@@ -113,9 +113,7 @@ def test_the_choice_among_the_pairings_makes_a_difference() -> None:
 
 
 @given(convex_triangulations(16).filter(lambda T: len(T) > 3), st.integers(0, 100))
-def test_where_renumbering_keeps_the_spine_nothing_crosses(
-    T: Triangulation, roll: int
-) -> None:
+def test_where_renumbering_keeps_the_spine_nothing_crosses(T: Triangulation, roll: int) -> None:
     S = T.rolled(roll)
     same = {frozenset((v + roll) % len(T) for v in corners) for corners in oracle.spine(S.triangles)}
     if same == set(oracle.spine(T.triangles)):  # equally short branches are pruned by their numbers
