@@ -81,11 +81,13 @@ test: $(STAMP) ## Check style and types, then run the tests, doctests and notebo
 	@echo "test: running the playground, which people change, without comparing its outputs"
 	@$(NBVAL) --nbval-lax $(PLAYGROUND)
 
-lint: $(STAMP) ## Check style, format and types, changing nothing
+lint: $(STAMP) ## Check style, format, imports and types, changing nothing
 	@echo "lint: style (mend with $(BIN)/ruff check --fix)"
 	@$(BIN)/ruff check .
 	@echo "lint: format (mend with $(BIN)/ruff format)"
 	@$(BIN)/ruff format --check .
+	@echo "lint: imports (the contracts are in pyproject.toml)"
+	@$(BIN)/lint-imports --no-cache --no-logo
 	@echo "lint: types"
 	@$(BIN)/python -m mypy $(wildcard tween experiments)
 

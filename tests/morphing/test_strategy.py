@@ -22,9 +22,10 @@ from tween import (
     triangulate,
 )
 from tween.errors import IncompatibleError
-from tween.gallery import curve, names, random_disk
+from tween.gallery import curve, letter, names, random_disk
 from tween.geometry.dual_tree import disk_center
 from tween.geometry.predicates import orient2d
+from tween.morphing import strategy
 from tween.morphing.compatible.paths import PATHS
 
 ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -231,24 +232,6 @@ def test_the_root_triangle_moves_evenly(path) -> None:
 # Calls
 
 
-def test_a_shape_at_one_time_is_that_among_many() -> None:
-    m = morph(some_disks[1], some_disks[1].on_disk())
-    frames = m.frames(11)
-    for t, frame in zip(np.linspace(0, 1, 11), frames, strict=True):
-        np.testing.assert_array_equal(m(t), frame)
-    np.testing.assert_array_equal(m.at([0.7, 0.2, 0.7]), [m(0.7), m(0.2), m(0.7)])
-    assert m.at([]).shape == (0, 30, 2)
-    assert m.events == []
-    assert repr(m) == "Morph(30 vertices, 0 flips)"
-
-
-@pytest.mark.parametrize("times", [[-0.1], [0.5, 1.1], [float("nan")], [float("inf")], 0.5, [[0.5]]])
-def test_times_outside_the_morph_are_refused(times) -> None:
-    m = morph(ELL, ELL)
-    with pytest.raises(ValueError, match="from 0 to 1"):
-        m.at(times)
-
-
 def test_a_curve_stands_for_its_remeshed_triangulation() -> None:
     from_points, from_curves, from_triangulations = (
         morph(shape, triangulate(ELL).on_disk()) for shape in (ELL, Curve(ELL), remesh(decompose(ELL).arbitrary()))
@@ -337,3 +320,23 @@ def test_along_the_other_paths_the_root_matters(path) -> None:
     first, other = (_distances(morph(T, D, path=path, root=root)(0.5)) for root in (0, 17))
     scale = first.max() / other.max()
     assert np.abs(scale * other - first).max() > 1e-3 * first.max()
+
+
+# What "auto" takes upon itself
+
+
+def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.MonkeyPatch) -> None:
+    pair = curve("arrow"), letter("c")  # common triangulations, but not as the pivots have it
+    assert not morph(*pair).events
+    monkeypatch.setattr(strategy, "_MOST_RENUMBERED", 20)
+    assert morph(*pair).events
+    assert not morph(*pair, strategy="common").events
+
+
+def test_between_large_convex_polygons_auto_flips_rather_than_fills_the_memory() -> None:
+    angle = 2 * np.pi * np.arange(600) / 600
+    wide = np.stack([2 * np.cos(angle), np.sin(angle)], axis=1)
+    egg = np.stack([np.cos(angle), 1.5 * np.sin(angle) + 0.1 * np.cos(3 * angle)], axis=1)
+    m = morph(wide, egg)
+    assert m.events
+    np.testing.assert_array_equal(m(1.0), m.target.points)

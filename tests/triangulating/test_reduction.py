@@ -10,7 +10,6 @@ from tween.geometry.predicates import orient2d
 from tween.triangulating import decomposition as module
 from tween.triangulating.flips import locally_delaunay
 from tween.triangulating.reduction import reduce_curve
-from tween.triangulating.restoration import restore
 
 NAMES = [*gallery.names(), *gallery.letters()]
 lattice = st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=5, max_size=14)
@@ -121,27 +120,3 @@ def test_a_spiral_of_twenty_thousand_vertices_needs_no_table() -> None:
     assert len(d._reduction.kept) < 30
     assert "_full" not in vars(d)
     assert certify(morph(T, T.on_disk(), path="metric"), frames=3).frames_failed == 0
-
-
-def test_a_table_that_would_not_fit_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tween.splits._MOST_PAIRS", 1000)
-    angle = 2 * np.pi * np.arange(300) / 300
-    d = decompose(np.stack([np.cos(angle), np.sin(angle)], axis=1))
-    assert d
-    with pytest.raises(TweenError, match="table of 300 vertices would take more than"):
-        _ = d.count
-
-
-def test_restoring_nothing_changes_nothing() -> None:
-    curve = Curve([[0, 0], [1, 0], [0, 1]])
-    reduction = reduce_curve(curve)
-    assert restore(curve.points, reduction, np.array([[0, 1, 2]])).tolist() == [[0, 1, 2]]
-
-
-@pytest.mark.parametrize("name", ["horseshoe", "three_lobes", "spiral_2"])
-def test_restored_triangles_have_the_order_of_the_table(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole, reduced = both(gallery.curve(name), monkeypatch)
-    (T,) = reduced.immersions()
-    assert T.triangles.tolist() == whole._full.delaunay()[0].tolist()
-    for rows in (T.triangles, whole.sample(np.random.default_rng(0)).triangles):
-        assert rows.tolist() == sorted(rows.tolist(), key=lambda row: (row[0], -row[2]))

@@ -2,17 +2,27 @@
 
 from collections import Counter
 from math import comb
+from typing import Any
 
 import numpy as np
 import oracle
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.stats import chisquare
-from strategies import Points, disks, grid_polygons, polygons, random_polygons, strip
+from strategies import Points, disks, grid_polygons, polygons, random_polygons
 
-from tween import Curve, CurveError, Decomposition, NotSelfOverlappingError, Triangulation, TweenError, decompose
+from tween import (
+    Curve,
+    CurveError,
+    Triangulation,
+    TweenError,
+    decompose,
+    gallery,
+    remesh,
+)
+from tween.errors import NotSelfOverlappingError
 from tween.gallery import curve, names
+from tween.triangulating.flips import locally_delaunay
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]
@@ -167,18 +177,6 @@ def test_curves_of_different_sizes_are_refused() -> None:
         decompose([(0, 0), (0, 0), (1, 1)])
 
 
-def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    splits = comb(20, 3)  # one for each triple of vertices of a convex polygon
-    monkeypatch.setattr("tween.splits._MOST_SPLITS", splits - 1)
-    d = decompose(parabola(20))
-    for ask in (lambda: d.count, lambda: d.sample(np.random.default_rng(0))):
-        with pytest.raises(TweenError, match=f"{splits} splits would take 0 GiB"):
-            ask()
-    d.arbitrary().validate()
-    monkeypatch.setattr("tween.splits._MOST_SPLITS", splits)
-    assert decompose(parabola(20)).count == catalan(18)
-
-
 def test_an_unknown_split_is_refused() -> None:
     with pytest.raises(ValueError, match="middle"):
         decompose(SQUARE).arbitrary("middle")
@@ -207,39 +205,7 @@ def test_the_common_triangulations_are_those_that_brute_force_finds_in_both(kind
     assert sizes[True] > 5
 
 
-def test_the_first_split_takes_the_smallest_apex_and_the_last_the_largest() -> None:
-    d = decompose(parabola(6))
-    assert key(d.arbitrary("first")) == {(0, 1, 5), (1, 2, 5), (2, 3, 5), (3, 4, 5)}
-    assert key(d.arbitrary("last")) == {(0, 4, 5), (0, 3, 4), (0, 2, 3), (0, 1, 2)}
-
-
 # Samples
-
-
-def counted(d: Decomposition, draws: int, seed: int) -> list[int]:
-    """Return how often each triangulation was drawn, those that never were included."""
-    seen = Counter(T.canonical.tobytes() for T in d.sample(np.random.default_rng(seed), draws))
-    assert len(seen) <= d.count
-    return list(seen.values()) + [0] * (d.count - len(seen))
-
-
-def overlapping() -> Curve:
-    """Return a strip around the origin that lies over its own start, with some hundreds of triangulations."""
-    angles = np.radians(55) * np.arange(9)
-    return Curve(strip(angles, np.linspace(0.3, 0.5, 9), np.linspace(1, 1.5, 9)))
-
-
-@pytest.mark.parametrize(
-    "c", [Curve(parabola(8)), Curve(parabola(9)), overlapping()], ids=["132", "429", "overlapping"]
-)
-def test_samples_are_uniform(c: Curve) -> None:
-    d = decompose(c)
-    assert 100 < d.count < 1000
-    assert chisquare(counted(d, 30 * d.count, seed=6)).pvalue > 0.001
-
-
-def test_the_overlapping_curve_crosses_itself() -> None:
-    assert overlapping().crossings.proper.sum() >= 2
 
 
 def test_the_same_seed_draws_the_same_triangulations() -> None:
@@ -250,7 +216,91 @@ def test_the_same_seed_draws_the_same_triangulations() -> None:
     assert d.sample(np.random.default_rng(1), 0) == []
 
 
-def test_counts_beyond_all_doubles_are_sampled_too() -> None:
-    d = decompose(parabola(600))
-    first, second = d.sample(np.random.default_rng(0), 2)
-    assert key(first.validate()) != key(second.validate())
+# Least cost
+
+
+@pytest.mark.parametrize(
+    ("cost", "combine", "message"),
+    [
+        (lambda t: np.where(t[:, 1] == 1, np.nan, 1.0), "sum", "expected .* numbers, none of them NaN"),
+        (lambda t: np.ones(len(t) - 1), "sum", r"cost gave shape \(\d+,\), expected \d+ numbers"),
+        (lambda t: np.ones((len(t), 1)), "max", r"cost gave shape \(\d+, 1\), expected \d+ numbers"),
+        (lambda t: 1.0, "sum", r"cost gave shape \(\), expected \d+ numbers"),
+        (lambda t: np.ones(len(t)), "mean", "combine is 'mean', expected 'sum' or 'max'"),
+    ],
+)
+def test_costs_that_are_no_numbers_are_refused(cost: Any, combine: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        decompose(curve("arrow")).optimal(cost, combine)
+
+
+def test_a_curve_without_a_triangulation_has_no_optimum() -> None:
+    with pytest.raises(NotSelfOverlappingError, match="turning number is 0, not 1"):
+        decompose(EIGHT).optimal(lambda triangles: np.ones(len(triangles)))
+
+
+# Immersed disks
+
+
+CURVES = {name: gallery.curve(name) for name in gallery.names()} | {f"letter {x}": gallery.letter(x) for x in "DJSeoz"}
+DISKS = {"two_disks": 2, "five_disks": 5}
+
+
+def regular(n: int) -> np.ndarray:
+    angle = 2 * np.pi * np.arange(n) / n
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_two_hundred_remeshed_samples_are_the_immersed_disks(name: str) -> None:
+    d = decompose(CURVES[name])
+    listed = d.immersions()
+    assert len(listed) == DISKS.get(name, 1)
+    assert all(locally_delaunay(T.validate()).all() for T in listed)
+    remeshed = {remesh(T).canonical.tobytes() for T in d.sample(np.random.default_rng(3), 200)}
+    assert remeshed == {T.canonical.tobytes() for T in listed}
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_small_disk_has_as_many_immersions_as_its_triangulations_fall_into_classes_by_flips(seed: int) -> None:
+    curve = gallery.random_disk(11, np.random.default_rng(seed)).curve
+    d = decompose(curve)
+    rng, found = np.random.default_rng(seed), {}
+    while len(found) < d.count:
+        found |= {T.canonical.tobytes(): T for T in d.sample(rng, 100)}
+    assert len({remesh(T).canonical.tobytes() for T in found.values()}) == len(d.immersions())
+
+
+@pytest.mark.parametrize("n", [4, 5, 8, 12, 30, 200])
+def test_cocircular_vertices_do_not_multiply_the_answer(n: int) -> None:
+    d = decompose(regular(n))
+    assert len(d.immersions()) == 1
+    assert n > 30 or len(d._full.delaunay()) == 1
+
+
+@pytest.mark.parametrize("side", [1, 2, 4])
+def test_a_square_with_points_along_its_sides_bounds_one_disk(side: int) -> None:
+    along = np.arange(side, dtype=float)
+    zero, full = np.zeros(side), np.full(side, float(side))
+    x = np.concatenate([along, full, full - along, zero])
+    y = np.concatenate([zero, along, full, full - along])
+    assert len(decompose(np.stack([x, y], axis=1)).immersions()) == 1
+
+
+def test_the_answer_does_not_depend_on_where_the_curve_starts() -> None:
+    points = CURVES["five_disks"].points
+    for shift in (1, 17, 50):
+        assert len(decompose(np.roll(points, -shift, axis=0)).immersions()) == 5
+
+
+def test_the_immersions_of_a_curve_can_be_morphed_each_in_its_own_way() -> None:
+    first, second = decompose(CURVES["two_disks"]).immersions()
+    assert isinstance(first, Triangulation)
+    assert first.canonical.tolist() != second.canonical.tolist()
+
+
+def test_misuse_is_refused() -> None:
+    with pytest.raises(NotSelfOverlappingError, match="turning number is 0"):
+        decompose([[0, 0], [2, 2], [2, 0], [0, 2]]).immersions()
+    with pytest.raises(TweenError, match="2 were decomposed together"):
+        decompose(regular(5), regular(5)).immersions()

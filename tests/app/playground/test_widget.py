@@ -14,10 +14,11 @@ import pytest
 from PIL import Image
 from strokes import circle, eight
 
+from tween.app.playground import widget
 from tween.app.playground.hand_drawn import from_stroke
 from tween.app.playground.widget import Picture, playground
 
-STATIC = Path(__file__).resolve().parent.parent / "tween" / "static"
+STATIC = Path(widget.__file__).with_name("static")
 LIVE = importlib.util.find_spec("anywidget") is not None
 
 

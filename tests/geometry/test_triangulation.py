@@ -1,6 +1,5 @@
 """The rules of a triangulation, its parts, the disk, and compatibility."""
 
-from collections import Counter
 from itertools import combinations, permutations, product
 
 import numpy as np
@@ -8,9 +7,9 @@ import oracle
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import convex_triangulations, disks
+from strategies import disks
 
-from tween import Triangulation, TweenError, compatible_shift, decompose
+from tween import Triangulation, TweenError, decompose
 from tween.errors import TriangulationError
 from tween.gallery import curve, names, random_disk
 from tween.geometry.triangulation import canonical
@@ -265,41 +264,6 @@ def test_the_disk_follows_a_similarity(scale: float) -> None:
 
 
 # Compatibility
-
-
-@pytest.mark.parametrize("n", [3, 4, 5, 6, 7, pytest.param(8, marks=pytest.mark.slow)])
-def test_the_smallest_shift_is_found_for_all_pairs_of_triangulations(n: int) -> None:
-    points = [(x, x * x) for x in range(n)]
-    every = [(triangles, Triangulation(points, sorted(triangles))) for triangles in oracle.triangulations(n)]
-    found = Counter()
-    for first, T in every:
-        smallest = {oracle.shifted(first, k, n): k for k in reversed(range(n))}
-        for second, S in every:
-            k = compatible_shift(T, S)
-            assert k == smallest.get(second)
-            found[k is None] += 1
-    assert found[False] >= len(every)
-    assert found[True] > 0 or n < 6
-
-
-@given(convex_triangulations(30), st.integers(0, 100))
-def test_a_renumbered_triangulation_is_compatible(T: Triangulation, shift: int) -> None:
-    n = len(T)
-    R = T.rolled(shift)
-    k = compatible_shift(R, T)  # vertex i of R is vertex i + shift of T
-    assert k is not None and k <= shift % n
-    assert oracle.shifted(oracle.as_set(R.triangles), k, n) == oracle.as_set(T.triangles)
-
-
-def test_triangulations_of_different_sizes_are_not_compatible() -> None:
-    assert compatible_shift(Triangulation(SQUARE, HALVES), fan([90.0, 90.0, 90.0])) is None
-
-
-def test_very_high_degrees_do_not_disturb_the_search() -> None:
-    n = 56_000  # degrees pass through the numbers that no character has
-    x = np.arange(n, dtype=np.float64)
-    T = Triangulation(np.stack([x, x * x], axis=1), np.stack([0 * x, x, x + 1], axis=1)[1:-1].astype(int))
-    assert compatible_shift(T, T.rolled(5)) == n - 5
 
 
 def test_a_triangulation_says_its_size() -> None:

@@ -1,13 +1,11 @@
 """Files give back what was written, or one line that says what is wrong with them; failures destroy nothing."""
 
-import io
 import json
-import os
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from files import FIXTURES, complaint, saved
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from malformed import MALFORMED, SQUARE, npy, npz, svg
@@ -21,25 +19,18 @@ from tween.io.read_write import (
     read_curves,
     read_frames,
     read_stroke,
+    stroke,
     write_curve,
     write_frames,
     write_triangulation,
 )
 from tween.io.svg_path import MOST_POINTS
-from tween.io.whole_files import LARGEST_FILE
 from tween.morphing.strategy import morph
 from tween.triangulating.decomposition import decompose, triangulate
 from tween.triangulating.flips import remesh
 
-FIXTURES = Path(__file__).parent / "fixtures"
 CURVE_SUFFIXES = (".svg", ".csv", ".json", ".geojson", ".npz", ".npy")
 FEW = settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
-
-
-def saved(folder, name, content):
-    path = folder / name
-    path.write_bytes(content.encode() if isinstance(content, str) else content)
-    return path
 
 
 # Round trips
@@ -118,14 +109,6 @@ def test_frames_are_written_as_rows_and_as_a_picture(tmp_path):
     assert table[[0, n, -1], :3].tolist() == [[0, 0, 0], [1, 0.5, 0], [2, 1, n - 1]]
     outlines = read_curves(write_frames(tmp_path / "frames.svg", m, 3))
     assert np.array_equal(outlines["frame_0"].points, m.source.points)
-
-
-def test_frames_without_times_are_read(tmp_path):
-    path = saved(tmp_path, "frames.npz", npz(frames=np.array([SQUARE]), triangles=np.array([[0, 1, 2], [0, 2, 3]])))
-    frames, triangles, times = read_frames(path)
-    assert frames.shape == (1, 4, 2)
-    assert triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
-    assert times is None
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".csv", ".json", ".npz"])
@@ -246,27 +229,6 @@ def test_the_stroke_of_a_closed_path_goes_once_around(tmp_path):
 # Malformed files
 
 
-def complaint(path, read):
-    """Return the message of the error that reading has to end with, soon."""
-    start = time.process_time()
-    with pytest.raises((FileError, CurveError)) as caught:
-        read(path)
-    message = str(caught.value)
-    assert message.startswith(f"{path}: ")
-    assert "\n" not in message
-    assert message.isprintable()
-    assert len(message) < len(str(path)) + 500
-    assert caught.value.__cause__ is None
-    assert caught.value.__suppress_context__  # no second traceback above
-    assert time.process_time() - start < 30
-    return message.removeprefix(f"{path}: ")
-
-
-def test_a_first_line_that_begins_with_a_digit_is_no_header(tmp_path):
-    path = saved(tmp_path, "a.csv", "0,5;1,5\n2;1\n2;3\n0;3\n")
-    assert complaint(path, read_curve) == "line 1 is '0,5;1,5', expected two numbers, x and y"
-
-
 def test_there_are_enough_kinds_of_malformed_files():
     assert len(MALFORMED) >= 100
 
@@ -281,33 +243,6 @@ def test_a_malformed_file_is_answered_by_one_line(tmp_path, kind):
         assert complaint(path, lambda p: read_stroke(p, 1e300))
 
 
-@pytest.mark.parametrize(
-    "kind", ["folder.svg", "missing.svg", "missing/missing.csv", "pipe.csv", "large.npz", "nul\0.csv"]
-)
-def test_what_is_no_readable_file_is_answered_by_one_line(tmp_path, kind):
-    path = tmp_path / kind
-    if kind.startswith("folder"):
-        path.mkdir()
-    elif kind.startswith("pipe"):
-        os.mkfifo(path)
-    elif kind.startswith("large"):
-        with open(path, "wb") as file:
-            file.truncate(LARGEST_FILE + 1)
-    for read in (read_curve, read_curves, lambda p: read_stroke(p, 1)):
-        if "\0" in kind:
-            with pytest.raises(FileError, match=r"nul\\x00\.csv: embedded null"):
-                read(path)
-        else:
-            assert complaint(path, read)
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="the administrator may read everything")
-def test_a_file_one_may_not_read_is_answered_by_one_line(tmp_path):
-    path = saved(tmp_path, "secret.csv", "0,0\n1,0\n1,1\n")
-    path.chmod(0)
-    assert complaint(path, read_curve) == "Permission denied"
-
-
 @pytest.mark.parametrize("tolerance", [0, -1, float("nan"), float("inf")])
 def test_a_tolerance_is_a_positive_length(tolerance):
     with pytest.raises(FileError, match="tolerance"):
@@ -317,41 +252,6 @@ def test_a_tolerance_is_a_positive_length(tolerance):
 def test_a_tolerance_that_takes_too_many_points_is_refused():
     with pytest.raises(FileError, match=f"more than {MOST_POINTS} points"):
         read_curve(FIXTURES / "loop.svg", tolerance=1e-15)
-
-
-FRAMES = {"frames": np.array([SQUARE] * 3), "triangles": np.array([[0, 1, 2], [0, 2, 3]]), "times": np.arange(3.0)}
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"frames": None},
-        {"triangles": None},
-        {"frames": np.zeros((4, 2))},
-        {"frames": np.zeros((0, 4, 2))},
-        {"frames": np.zeros((3, 2, 2))},
-        {"frames": np.full((3, 4, 2), np.nan)},
-        {"frames": np.zeros((3, 4, 2), dtype=bool)},
-        {"triangles": np.zeros((3, 3), dtype=int)},
-        {"triangles": np.zeros((2, 2, 3), dtype=int)},
-        {"triangles": np.zeros((2, 3))},
-        {"triangles": np.array([[0, 1, 2], [0, 2, 4]])},
-        {"triangles": np.array([[0, 1, 2], [0, 2, -1]])},
-        {"times": np.arange(4.0)},
-        {"times": np.array([0, np.inf, 1])},
-    ],
-)
-@pytest.mark.parametrize("suffix", [".json", ".npz"])
-def test_malformed_frames_are_answered_by_one_line(tmp_path, change, suffix):
-    arrays = {name: array for name, array in {**FRAMES, **change}.items() if array is not None}
-    text = json.dumps({name: array.tolist() for name, array in arrays.items()})
-    path = saved(tmp_path, f"frames{suffix}", npz(**arrays) if suffix == ".npz" else text)
-    assert complaint(path, read_frames)
-
-
-@pytest.mark.parametrize("content", ["[1, 2]", "{}", '{"frames": [[1], [2, 3]], "triangles": []}', "", "null"])
-def test_what_holds_no_frames_is_answered_by_one_line(tmp_path, content):
-    assert complaint(saved(tmp_path, "frames.json", content), read_frames)
 
 
 VALID = [
@@ -387,74 +287,27 @@ def test_damage_is_read_or_answered_by_one_line(tmp_path, valid, changes, end):
 # Failing to write
 
 
-def writers():
-    T = triangulate(gallery.curve("ell"))
-    m = morph(T, T.on_disk())
-    return {
-        "curve": lambda path: write_curve(path, T.curve),
-        "triangulation": lambda path: write_triangulation(path, T),
-        "frames": lambda path: write_frames(path, m, 3),
-    }
+def test_a_stroke_of_path_data_is_that_of_a_file(tmp_path: Path) -> None:
+    data = "M10 80C40 80 90 70 90 40S70 5 55 20s0 50 35 50a20 20 0 0 0 20-20v-20"
+    path = tmp_path / "loop.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{data}"/></svg>')
+    for tolerance in (None, 0.5):
+        drawn = stroke(data, 6, tolerance)
+        np.testing.assert_array_equal(drawn.points, read_stroke(path, 6, tolerance=tolerance).points)
+    assert len(drawn.crossings) > 0
+    assert len(stroke(data, 6, cap=4)) == len(stroke(data, 6)) + 8
 
 
-def fail(*_, **__):
-    raise OSError(28, "No space left on device")
-
-
-class _FullDisk(io.FileIO):
-    def write(self, data):
-        super().write(bytes(data)[:10])
-        fail()
-
-
-@pytest.mark.parametrize("what", ["curve", "triangulation", "frames"])
-@pytest.mark.parametrize("failing", ["rename", "write", "make"])
-def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch, what, failing):
-    path = saved(tmp_path, "shape.npz", b"what was there")
-    write = writers()[what]
-    if failing == "rename":
-        monkeypatch.setattr("tween.io.whole_files.os.replace", fail)
-    elif failing == "write":
-        monkeypatch.setattr("tween.io.whole_files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
-    else:
-        monkeypatch.setattr("tween.io.read_write.npz_bytes", fail)
-    assert complaint(path, write) == "No space left on device"
-    assert path.read_bytes() == b"what was there"
-    assert os.listdir(tmp_path) == ["shape.npz"]
-
-
-@pytest.mark.parametrize("what", ["curve", "triangulation", "frames"])
-@pytest.mark.parametrize("name", ["a.docx", "a", "missing/a.json", "folder.json", "file.csv/a.json"])
-def test_what_cannot_be_written_is_answered_by_one_line(tmp_path, what, name):
-    (tmp_path / "folder.json").mkdir()
-    saved(tmp_path, "file.csv", b"what was there")
-    assert complaint(tmp_path / name, writers()[what])
-    assert sorted(os.listdir(tmp_path)) == ["file.csv", "folder.json"]
-    assert (tmp_path / "file.csv").read_bytes() == b"what was there"
-
-
-def test_an_unknown_suffix_is_answered_with_the_known_ones(tmp_path):
-    message = complaint(tmp_path / "a.docx", writers()["curve"])
-    assert message == "has the suffix '.docx', expected one of .csv, .geojson, .json, .npy, .npz, .svg"
-
-
-def test_writing_replaces_a_file_and_follows_a_link(tmp_path):
-    target = saved(tmp_path, "target.csv", b"what was there")
-    (tmp_path / "link.csv").symlink_to(target)
-    path = write_curve(tmp_path / "link.csv", Curve(SQUARE))
-    assert path == tmp_path / "link.csv"
-    assert path.is_symlink()
-    assert np.array_equal(read_curve(target).points, SQUARE)
-
-
-def test_a_lack_of_memory_is_answered_by_one_line(tmp_path, monkeypatch):
-    def lack(_):
-        raise MemoryError
-
-    monkeypatch.setattr("tween.io.read_write.content_of", lack)
-    assert complaint(saved(tmp_path, "a.csv", "0,0"), read_curve) == "needs more memory than there is"
-
-
-def test_a_name_of_several_lines_makes_a_message_of_one(tmp_path):
-    with pytest.raises(FileError, match=r"two\\nlines\.csv: No such file"):
-        read_curve(tmp_path / "two\nlines.csv")
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ("", "0 lines"),
+        ("M0 0L1 1M2 2L3 3", "2 lines"),
+        ("M0 0L1 frog", "path data"),
+        ("M0 0L1e400 1", "path data"),
+        ("M0 0L1 0L1 1", "too|width|radius"),
+    ],
+)
+def test_what_is_no_single_line_is_refused(data: str, words: str) -> None:
+    with pytest.raises(CurveError, match=words):
+        stroke(data, 3)

@@ -1,7 +1,6 @@
-"""Outlines are found where SVG says they are, and curves lie within the tolerance of their polylines."""
+"""Path data: segments end where their commands say, and polylines keep to the tolerance."""
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,19 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tween.errors import FileError
-from tween.io.svg import MOST_ELEMENTS, read_svg
-from tween.io.svg_path import checked, flattened, numbers, rectangle
-from tween.io.writers import drawing
-from tween.plot.shapes import SOURCE
+from tween.io.svg_path import checked, flattened, numbers, polygon, rectangle
 
-FIXTURES = Path(__file__).parent / "fixtures"
 IDENTITY = np.eye(3)
 
+
 coordinates = st.floats(-100, 100).map(lambda x: round(x, 3))
-
-
-def svg(content):
-    return f'<svg xmlns="http://www.w3.org/2000/svg">{content}</svg>'.encode()
 
 
 def polylines(d, tolerance=1e-3, matrix=IDENTITY):
@@ -33,9 +25,6 @@ def polylines(d, tolerance=1e-3, matrix=IDENTITY):
 
 def farthest(points, line):
     return float(shapely.distance(shapely.points(points), shapely.LineString(line)).max())
-
-
-# Path data
 
 
 @st.composite
@@ -195,9 +184,6 @@ def test_a_long_run_of_digits_or_spaces_is_refused_at_once():
             checked(d)
 
 
-# Shapes
-
-
 def test_a_circle_lies_on_its_circle():
     (line,) = flattened(rectangle(0.1, 0.2, 0.6, 0.6, 0.3, 0.3), IDENTITY)
     assert np.hypot(*(line - [0.4, -0.5]).T) == pytest.approx(0.3, rel=1e-12)
@@ -212,88 +198,36 @@ def test_a_round_rectangle_keeps_its_straight_sides():
     assert shape.area == pytest.approx(60 - (4 - np.pi) * 2 * 3, abs=0.05)
 
 
-@pytest.mark.parametrize(
-    ("shape", "box"),
-    [
-        ('<rect x="1" y="2" width="3" height="4"/>', (1, -6, 4, -2)),
-        ('<rect width="1in" height="25.4mm" rx="auto"/>', (0, -96, 96, 0)),
-        ('<rect width="6" height="4" ry="1"/>', (0, -4, 6, 0)),
-        ('<circle r="2"/>', (-2, -2, 2, 2)),
-        ('<ellipse cx="5" cy="1" rx="2" ry="3"/>', (3, -4, 7, 2)),
-        ('<polygon points="0,0 4 0 4,5"/>', (0, -5, 4, 0)),
-        ('<polyline points="0,0 4 0 4,5"/>', (0, -5, 4, 0)),
-        ('<path d="M0 0h4v5"/>', (0, -5, 4, 0)),
-    ],
-)
-def test_shapes_lie_where_their_attributes_say(shape, box):
-    ((_, line),) = read_svg(svg(shape), 1e-6)
-    assert (*line.min(axis=0), *line.max(axis=0)) == pytest.approx(box)
+# Lists of numbers
 
 
-@pytest.mark.parametrize(
-    ("transform", "image"),
-    [
-        ("translate(3)", (5, 1)),
-        ("translate(3 4)", (5, 5)),
-        ("scale(2)", (4, 2)),
-        ("scale(2,-3)", (4, -3)),
-        ("rotate(90)", (-1, 2)),
-        ("rotate(90 1 1)", (1, 2)),
-        ("skewX(45)", (3, 1)),
-        ("skewY(45)", (2, 3)),
-        ("matrix(1 2 3 4 5 6)", (10, 14)),
-        ("translate(10), scale(2)", (14, 2)),
-        (" scale(2)\ttranslate ( 10 ,0 )", (24, 2)),
-    ],
-)
-def test_transforms_are_those_of_svg(transform, image):
-    """Where the point (2, 1), y downwards, comes to lie."""
-    ((_, line),) = read_svg(svg(f'<g transform="{transform}"><path d="M2 1 7 7"/></g>'))
-    assert line[0] * [1, -1] == pytest.approx(image)
+finite = st.floats(allow_nan=False, allow_infinity=False)
 
 
-def test_a_drawing_of_layers_is_read_as_it_is_drawn():
-    outlines = dict(read_svg((FIXTURES / "layers.svg").read_bytes()))
-    assert list(outlines) == ["turned", "two.0", "two.1", "first", "second", "third", "round", "", "open"]
-    assert outlines["turned"].tolist() == [[10, -22], [10, -28], [8, -28], [8, -22], [10, -22]]
-    assert outlines["two.1"].tolist() == [[20, -30], [22, -30], [22, -32], [20, -30]]
-    assert outlines["first"].tolist() == [[100, 0], [104, 0], [104, -3], [100, 0]]
-    assert outlines["second"][0].tolist() == [0, -51]
-    assert outlines["open"].tolist() == [[1, 2.5], [0.5, -3], [4, 1]]
-    # The sheared ellipse: (x - y) / 4 from its centre, and y / 2.
-    x, y = (outlines[""] * [1, -1]).T
-    assert ((x - y - 7) / 4) ** 2 + ((y - 8) / 2) ** 2 == pytest.approx(1, abs=1e-9)
+@given(st.lists(finite), st.sampled_from([" ", ",", " , ", "\n"]))
+def test_numbers_are_read_back_exactly(values, separator):
+    assert numbers(separator.join(map(repr, values))) == values
 
 
-def test_five_hundred_nested_groups_are_read():
-    groups = '<g transform="translate(1)">' * 500 + '<path d="M0 0 1 0 1 1z"/>' + "</g>" * 500
-    ((_, line),) = read_svg(svg(groups))
-    assert line[0].tolist() == [500, 0]
+@given(st.lists(st.integers(-99, -1)))
+def test_a_sign_separates_numbers(values):
+    assert numbers("".join(map(str, values))) == values
 
 
-def test_repetitions_that_multiply_are_refused():
-    rows = "".join(f'<g id="a{i + 1}">' + f'<use href="#a{i}"/>' * 10 + "</g>" for i in range(9))
-    with pytest.raises(FileError, match=str(MOST_ELEMENTS)):
-        read_svg(svg(f'<path id="a0" d="M0 0 1 0 1 1z"/>{rows}'))
+@pytest.mark.parametrize("text", ["1 2 x", "1;2", "nan", "inf", "1e999", "1 2px", "\u0661"])
+def test_what_is_no_list_of_finite_numbers_is_refused(text):
+    with pytest.raises(FileError, match="expected numbers"):
+        numbers(text)
 
 
-# Drawing
+@given(st.lists(st.tuples(coordinates, coordinates), min_size=2, max_size=9), st.booleans())
+def test_a_polygon_written_as_path_data_is_read_back_exactly(points, closed):
+    (line,) = polylines(polygon([x for p in points for x in p], closed))
+    expected = np.array([*points, *points[:closed]]) * [1, -1]
+    assert np.array_equal(line, expected)
 
 
-def test_a_drawing_is_a_small_picture_with_the_shape_inside():
-    text = drawing(np.array([[[10.0, 10.0], [30.0, 10.0], [20.0, 20.0]]]))
-    assert 'width="640" height="349" viewBox="9 -21 22 12"' in text
-    assert text.count("<path") == 1
-
-
-def test_frames_stand_side_by_side_and_do_not_overlap():
-    shape = np.array([[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]])
-    shapes = np.array([shape, shape + 0.5, shape * 0.5, shape, shape])
-    outlines = dict(read_svg(drawing(shapes, np.array([[[0, 1, 2]]] * 5)).encode()))
-    boxes = [shapely.box(*outlines[f"frame_{i}"].min(axis=0), *outlines[f"frame_{i}"].max(axis=0)) for i in range(5)]
-    assert not any(a.intersects(b) for a, b in itertools.combinations(boxes, 2))
-    assert [np.ptp(outlines[f"frame_{i}"], axis=0).tolist() for i in (0, 2)] == [[2, 1], [1, 0.5]]
-
-
-def test_shapes_have_the_colour_that_sources_have_in_figures():
-    assert f'fill="{SOURCE}"' in drawing(np.array([[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]]]))
+def test_an_odd_number_of_coordinates_is_refused_and_none_make_no_path():
+    assert polygon([], closed=True) == ""
+    with pytest.raises(FileError, match="3 coordinates, expected an even number"):
+        polygon([1.0, 2.0, 3.0], closed=False)

@@ -5,7 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tween import decompose, gallery, morph
+from tween import (
+    decompose,
+    gallery,
+    morph,
+    remesh,
+)
+from tween.gallery import random_disk
 from tween.measuring import metrics
 from tween.morphing import morph as morph_module
 
@@ -28,3 +34,27 @@ def test_many_frames_are_the_same_by_blocks_one_by_one_and_in_a_memory_map(
     np.testing.assert_allclose(metrics.singular_values(areas), values, atol=1e-14 * values[0])
     with pytest.raises(ValueError, match="1 frames were asked for"):
         next(m.each_frame(1))
+
+
+ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
+
+
+some_disks = [remesh(random_disk(30, np.random.default_rng(seed))) for seed in range(6)]
+
+
+def test_a_shape_at_one_time_is_that_among_many() -> None:
+    m = morph(some_disks[1], some_disks[1].on_disk())
+    frames = m.frames(11)
+    for t, frame in zip(np.linspace(0, 1, 11), frames, strict=True):
+        np.testing.assert_array_equal(m(t), frame)
+    np.testing.assert_array_equal(m.at([0.7, 0.2, 0.7]), [m(0.7), m(0.2), m(0.7)])
+    assert m.at([]).shape == (0, 30, 2)
+    assert m.events == []
+    assert repr(m) == "Morph(30 vertices, 0 flips)"
+
+
+@pytest.mark.parametrize("times", [[-0.1], [0.5, 1.1], [float("nan")], [float("inf")], 0.5, [[0.5]]])
+def test_times_outside_the_morph_are_refused(times) -> None:
+    m = morph(ELL, ELL)
+    with pytest.raises(ValueError, match="from 0 to 1"):
+        m.at(times)

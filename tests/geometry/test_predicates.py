@@ -26,7 +26,7 @@ from tween.geometry.predicates import (
     turn,
 )
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 
 # Data sets of Kettner, Mehlhorn, Pion, Schirra and Yap, Classroom examples of robustness problems in
 # geometric computations (2008), Figure 2: a grid of last bits at the first point, against the other two.

@@ -1,6 +1,6 @@
 """The playground in a browser: JupyterLab is started, the notebook is run, a curve is drawn with the mouse.
 
-`python tests/test_playground_browser.py` takes the picture of it that the notebook shows anew.
+`python tests/app/playground/test_browser.py` takes the picture of it that the notebook shows anew.
 """
 
 import importlib.util
@@ -26,7 +26,7 @@ import pytest
 from tween import gallery, verify
 from tween.io.read_write import read_frames
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[3]
 NOTEBOOK = "09_playground.ipynb"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 CHROMIUM = next((path for path in map(shutil.which, BROWSERS) if path), None)

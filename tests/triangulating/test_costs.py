@@ -1,11 +1,20 @@
 """Costs of triangles: each against its definition, and the optimum against all triangulations."""
 
 import numpy as np
+import oracle
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from strategies import disks
 
-from tween import decompose, gallery
+from tween import (
+    Triangulation,
+    decompose,
+    gallery,
+)
 from tween.triangulating import costs
-from tween.triangulating.costs import Cost
+from tween.triangulating.costs import Cost, distortion
 
 SHAPES = [gallery.random_disk(9, np.random.default_rng(seed)).curve for seed in range(6)]
 MAKERS = {
@@ -73,3 +82,29 @@ def test_a_triangle_that_is_flat_in_floating_point_costs_infinitely_much_and_war
     shape = np.array([[0.0, 0.0], [1.0, 1.0 - tiny], [1.0 + tiny, 1.0], [-8.0, 0.0]])
     cost = costs.distortion(shape, circle(4))
     assert cost(np.array([[0, 1, 2]]))[0] == np.inf
+
+
+# Distortion
+
+
+def sheared(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    return points @ np.array([[1.3, 0.4], [-0.7, 0.8]])
+
+
+@given(disks(3, 20))
+def test_distortion_is_the_energy_of_the_singular_values_and_symmetric(T: Triangulation) -> None:
+    for image in (T.on_disk("uniform").points, sheared(T.points), 7 * T.points[:, ::-1] * [1, -1]):
+        cost = distortion(T.points, image)(T.triangles)
+        np.testing.assert_allclose(cost, oracle.symmetric_dirichlet(T.points, image, T.triangles), rtol=1e-6)
+        np.testing.assert_allclose(cost, distortion(image, T.points)(T.triangles), rtol=1e-9)
+        areas = Triangulation(T.points, T.triangles).areas / float(oracle.area(T.points))
+        images = Triangulation(image, T.triangles).areas / float(oracle.area(image))
+        assert (cost >= 2 * (areas + images) * (1 - 1e-9)).all()
+
+
+@given(disks(3, 20), st.floats(0.01, 100), st.floats(-3, 3))
+def test_similar_shapes_are_not_distorted(T: Triangulation, scale: float, angle: float) -> None:
+    turn = scale * np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    cost = distortion(T.points, T.points @ turn + [3, -1])(T.triangles)
+    np.testing.assert_allclose(cost, 4 * T.areas / T.areas.sum(), rtol=1e-6)
+    assert cost.sum() == pytest.approx(4, rel=1e-6)
