@@ -18,7 +18,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from experiments.bench import SEED, Timing, report, seconds, spiral_strip
+from experiments.benchmarks.tasks import SEED, Timing, report, seconds, spiral_strip
 from experiments.store import RESULTS, write_csv
 from tween import Curve, Triangulation, decompose, gallery, morph, triangulate
 from tween.triangulating.reduction import reduce_curve
@@ -126,7 +126,9 @@ def morphs() -> list[Timing]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m experiments.bench_scale", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m experiments.benchmarks.scaling", description=__doc__.split("\n")[0]
+    )
     parser.add_argument(
         "--store", action="store_true", help="write results/scaling.csv, which the figure is drawn from"
     )

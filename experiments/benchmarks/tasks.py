@@ -17,8 +17,10 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
-from experiments import table1
+from experiments.measures import PARAMETERS as TABLE_1
 from experiments.store import Checkpoint, compute
+from experiments.studies import to_disk
+from experiments.subjects import shapes
 from tween import (
     Curve,
     Decomposition,
@@ -192,11 +194,11 @@ def _shortest(d: Decomposition) -> object:
 
 
 def whole_table() -> list[Timing]:
-    names, samples = list(table1.shapes()), table1.PARAMETERS["samples"]
+    names, samples = list(shapes()), TABLE_1["samples"]
 
     def study() -> None:
         Checkpoint("bench", {}).clear()
-        compute("bench", {}, names, partial(table1.study, samples=samples))
+        compute("bench", {}, names, partial(to_disk.study, samples=samples))
 
     return [Timing(f"Table 1: {len(names)} curves, 1000 samples, 100 frames, both paths", study, repeats=1)]
 
@@ -227,7 +229,7 @@ def _readable(t: float) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m experiments.bench", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(prog="python -m experiments.benchmarks.tasks", description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
     arguments = parser.parse_args()
     for group in (predicates, tables, morphs, pairs, guarantees, optima, *(() if arguments.quick else (whole_table,))):

@@ -1,27 +1,22 @@
-"""Figure 11 in motion: each pair of the gallery there and back, as a GIF in results/animations/, and a player.
+"""Figure 11 in motion: each pair of the gallery there and back, as a GIF in results/animations/.
 
 Every shape is as large as the others, as in the figure.  The flips come so close together that evenly spaced
 times would show two or three shapes while they happen; so a third of the shapes are spent on them, in slow morph.
 """
 
 import argparse
-import base64
 import io
-import re
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Iterator
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.animation import FuncAnimation
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from PIL import Image
 
-from experiments.figures.gallery import bottom, draw_layers, fit, places
+from experiments.figures.rows import bottom, draw_layers, fit, places
 from experiments.store import RESULTS, compute, replacing
 from tween import Morph, Triangulation, gallery, morph
 from tween import plot as draw
@@ -35,19 +30,6 @@ PARAMETERS: dict[str, Any] = {
     "duration": [70, 900],  # milliseconds of a frame, and of the source and the target
 }
 SLOW = 1 / 3  # of the frames of a morph that flips, for the time until its last flip
-PLAYER: dict[str, Any] = {"frames": 25, "size": [400, 320], "dpi": 60, "colors": 64}
-
-SIGNS = {
-    "minus": "−",
-    "plus": "+",
-    "fast-backward": "|◀",
-    "fast-forward": "▶|",
-    "step-backward": "‹",
-    "step-forward": "›",
-    "play fa-flip-horizontal": "◀",
-    "pause": "❚❚",
-    "play": "▶",
-}
 
 
 def times(m: Morph, count: int) -> NDArray[np.float64]:
@@ -61,42 +43,26 @@ def times(m: Morph, count: int) -> NDArray[np.float64]:
     return np.interp(even, [0, 1 - SLOW, 1], [0, first, 1])
 
 
-def stage(m: Morph, size: Sequence[int], dpi: float) -> tuple[FigureCanvasAgg, Callable[[float], list[Any]]]:
-    """A canvas of so many pixels, and a function that shows the morph at a time on it."""
-    canvas = FigureCanvasAgg(Figure(figsize=(size[0] / dpi, size[1] / dpi), dpi=dpi))
+def pictures(m: Morph) -> Iterator[Image.Image]:
+    """The frames from source to target: layers, the pivot, the time, and how many flips are done."""
+    width, height = PARAMETERS["size"]
+    canvas = FigureCanvasAgg(Figure(figsize=(width / 100, height / 100), dpi=100))
     canvas.figure.set_layout_engine("none")
     ax = canvas.figure.add_axes((0.0, 0.08, 1.0, 0.92))
-    place, first = places(m.source), bottom(m)
-    flips = np.array([event.time for event in m.events])
-    text: dict[str, Any] = {"transform": ax.transAxes, "fontsize": 900 / dpi}
-
-    def show(t: float) -> list[Any]:
+    place, first, pivot = places(m.source), bottom(m), m.alignment.pivot
+    flips, text = np.array([event.time for event in m.events]), {"transform": ax.transAxes, "fontsize": 9}
+    for t in times(m, PARAMETERS["frames"]).tolist():
         ax.clear()
         points = m(t)
         draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, first)
-        if m.alignment.pivot is not None:
-            x, y = points[m.alignment.pivot]
-            ax.scatter(x, y, s=26, color=draw.PIVOT, linewidths=0, zorder=5)
+        if pivot is not None:
+            ax.scatter(*points[pivot], s=26, color=draw.PIVOT, linewidths=0, zorder=5)
         fit(ax, points)
         done = 0 if t == 0 else int((flips <= t).sum())
         ax.text(0.02, -0.03, f"t = {t:.3f}", **text)
-        label = f"{done} of {len(flips)} flips" if len(flips) else "no flips"
-        ax.text(0.98, -0.03, label, ha="right", **text)
-        return []
-
-    return canvas, show
-
-
-def pictures(name: str) -> list[Image.Image]:
-    """The frames from source to target."""
-    m = morph(*gallery.pair(name), strategy="paper")
-    canvas, show = stage(m, PARAMETERS["size"], 100)
-    frames = []
-    for t in times(m, PARAMETERS["frames"]):
-        show(float(t))
+        ax.text(0.98, -0.03, f"{done} of {len(flips)} flips" if len(flips) else "no flips", ha="right", **text)
         canvas.draw()
-        frames.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]))
-    return frames
+        yield Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
 
 
 def in_few_colors(frames: list[Image.Image], count: int) -> list[Image.Image]:
@@ -126,7 +92,7 @@ def gif(frames: list[Image.Image]) -> bytes:
 def work(name: str) -> int:
     """Write the animation of one pair; returns how many bytes it has."""
     draw.use_style()
-    frames = pictures(name)
+    frames = list(pictures(morph(*gallery.pair(name), strategy="paper")))
     for count in PARAMETERS["colors"]:
         content = gif(in_few_colors(frames, count))
         if len(content) <= PARAMETERS["limit"]:
@@ -136,33 +102,10 @@ def work(name: str) -> int:
     return len(content)
 
 
-def player(name: str) -> str:
-    """HTML of a player with which a reader can play, pause and scrub a morph; the same for every call."""
-    m = morph(*gallery.pair(name), strategy="paper")
-    canvas, show = stage(m, PLAYER["size"], PLAYER["dpi"])
-    shown = times(m, PLAYER["frames"]).tolist()
-    animation = FuncAnimation(canvas.figure, show, frames=shown, init_func=partial(show, 0.0), interval=100)
-    with plt.rc_context({"savefig.dpi": "figure"}):
-        html = animation.to_jshtml(default_mode="reflect")
-    # matplotlib draws a new number for every player, to tell several on a page apart: the name does so too.
-    number = re.search(r"_anim_img([0-9a-f]{32})", html)
-    assert number, "matplotlib names the image of a player otherwise than it did"
-    html = re.sub(r"(?<=data:image/png;base64,)[^\"]+", lighter, html.replace(number[1], name))
-    # Its buttons are letters of a font from the network, which a reader may not have.
-    html = re.sub(r"<link[^>]*font-awesome[^>]*>", "", html)
-    return re.sub(r'<i class="fa fa-([a-z -]+)"></i>', lambda button: SIGNS[button[1]], html)
-
-
-def lighter(picture: re.Match[str]) -> str:
-    """A picture of a page in fewer colours, a third as long."""
-    frame = Image.open(io.BytesIO(base64.b64decode(picture[0].replace("\\", "")))).convert("RGB")
-    stream = io.BytesIO()
-    in_few_colors([frame], PLAYER["colors"])[0].save(stream, format="PNG", optimize=True)
-    return base64.b64encode(stream.getvalue()).decode()
-
-
 def main() -> None:
-    argparse.ArgumentParser(prog="python -m experiments.animations", description=__doc__.split("\n")[0]).parse_args()
+    argparse.ArgumentParser(
+        prog="python -m experiments.figures.animations", description=__doc__.split("\n")[0]
+    ).parse_args()
     sizes = compute("animations", PARAMETERS, gallery.pairs(), work)
     print(f"animations: {len(sizes)} pairs, at most {max(sizes) / 1000:.0f} kB each -> results/animations/")
 

@@ -3,31 +3,31 @@
 X is the morph of the remeshed triangulations (path "slide", pivots matched, gradual flips where they are not
 compatible).  Y are arbitrary triangulations under the same correspondence: where the two curves have
 common triangulations, uniformly drawn ones, which need no flips; and in any case a uniformly drawn one for each
-curve, flipped into each other on the way.  Writes results/table1_columns.csv.
+curve, flipped into each other on the way.  Writes results/table_1_curve_to_curve.csv.
 
 Where the factors between X and Y come from: the same triangulations led over the disk, where each may be changed for
-any other, so that X goes as far as Y (results/table1_ways.csv); and, for all pairs of our curves that have one, a
-common triangulation beside the remeshed ones, which have to be flipped (results/table1_flips.csv).
+any other, so that X goes as far as Y (results/table_1_curve_to_curve_ways.csv); and, for all pairs of our curves that
+have one, a common triangulation beside the remeshed ones, which have to be flipped
+(results/table_1_curve_to_curve_flips.csv).
 """
 
 import argparse
-from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from experiments import measures as table_1
+from experiments.measures import PARAMETERS, QUANTILES, measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from experiments.table1 import PAPER, PARAMETERS, QUANTILES, measures, percentile, shape, shapes
+from experiments.subjects import BETWEEN, PAPER, both, pairs
 from tween import Morph, Triangulation, align, area_matrix, decompose, gallery, morph
 from tween.errors import IncompatibleError
 from tween.triangulating.compatibility import match_rows
 
 ROWS = (1, 3, 4, 7)
-TOLERANCES = PARAMETERS["tolerances"]
-RANKS = [f"AR_{t:.0e}".replace("e-0", "e-") for t in TOLERANCES]
-MEASURES = ["flips", *RANKS, "Var"]
+MEASURES = ["flips", *table_1.MEASURES]
 BATCH = 125
 WAYS = {"samples": BATCH, "frames": 101}  # over the disk: the disk is the 51st frame of both halves
 
@@ -49,9 +49,9 @@ def draw(part: str) -> dict[str, list[list[float]]]:
     a = remeshed(name).alignment
     own = [decompose(T.curve).sample(rng, size) for T in (a.source, a.target)]
     drawn = {"own": [measure(morph(S, T, strategy="paper", shifts=0)) for S, T in zip(*own, strict=True)]}
-    both = decompose(a.source.curve, a.target.curve)
-    if both:
-        shared = both.sample(rng, size)
+    joint = decompose(a.source.curve, a.target.curve)
+    if joint:
+        shared = joint.sample(rng, size)
         targets = [Triangulation(a.target.points, S.triangles) for S in shared]
         drawn["common"] = [measure(morph(S, T, shifts=0)) for S, T in zip(shared, targets, strict=True)]
     return drawn
@@ -94,9 +94,9 @@ def ways(name: str) -> dict[str, list[list[float]]]:
     rng = rng_for(PARAMETERS["seed"], f"{name} over the disk")
     own = [decompose(T.curve).sample(rng, WAYS["samples"]) for T in (a.source, a.target)]
     led = {"remeshed": [(a.source, a.target)], "own": list(zip(*own, strict=True))}
-    both = decompose(a.source.curve, a.target.curve)
-    if both:
-        led["common"] = [(S, Triangulation(a.target.points, S.triangles)) for S in both.sample(rng, WAYS["samples"])]
+    joint = decompose(a.source.curve, a.target.curve)
+    if joint:
+        led["common"] = [(S, Triangulation(a.target.points, S.triangles)) for S in joint.sample(rng, WAYS["samples"])]
     return {kind: [measures(over_the_disk(S, T)) for S, T in pairs] for kind, pairs in led.items()}
 
 
@@ -110,23 +110,23 @@ def table_of_ways(columns: pd.DataFrame, over: dict[tuple[int, str], dict[str, l
         for kind, values in kinds.items():
             medians = np.quantile(values, 0.5, axis=0, method="inverted_cdf")
             about = {"row": row, "pair": name, "way": "over the disk", "triangulation": kind}
-            rows.append(about | dict(zip(MEASURES[1:], medians, strict=True)))
+            rows.append(about | dict(zip(table_1.MEASURES, medians, strict=True)))
     keys = ["row", "pair", "way", "triangulation"]
-    return rounded(pd.DataFrame(rows)[[*keys, *MEASURES[1:]]].sort_values(keys, ignore_index=True))
+    return rounded(pd.DataFrame(rows)[[*keys, *table_1.MEASURES]].sort_values(keys, ignore_index=True))
 
 
 def straight_and_flipped(pair: str) -> dict[str, Any] | None:
     """One pair under the pivots' correspondence: a common triangulation, and the remeshed ones; None if it has none."""
-    names = pair.split(" - ")
-    source, target = map(shape, names)
+    source, target = both(pair)
     try:
         straight = morph(source, target, strategy="common", shifts=align(source, target).shift)
     except IncompatibleError:
         return None
     flipped = morph(source, target, strategy="paper")
-    row: dict[str, Any] = {"source": names[0], "target": names[1], "flips": len(flipped.events)}
+    row: dict[str, Any] = dict(zip(("source", "target"), pair.split(BETWEEN), strict=True))
+    row["flips"] = len(flipped.events)
     for label, m in (("straight", straight), ("flipped", flipped)):
-        row |= {f"{label}_{key}": value for key, value in zip(MEASURES[1:], measure(m)[1:], strict=True)}
+        row |= {f"{label}_{key}": value for key, value in zip(table_1.MEASURES, measure(m)[1:], strict=True)}
     return row
 
 
@@ -146,7 +146,7 @@ def columns(names: dict[int, str]) -> pd.DataFrame:
     """The four columns: remeshed, and the quantiles of the arbitrary ones."""
     batches = range(-(-PARAMETERS["samples"] // BATCH))
     parts = [f"{name} {batch}" for name in names.values() for batch in batches]
-    results = dict(zip(parts, compute("figure11", PARAMETERS | {"rows": ROWS}, parts, draw), strict=True))
+    results = dict(zip(parts, compute("curve_to_curve", PARAMETERS | {"rows": ROWS}, parts, draw), strict=True))
     rows = []
     for row, name in names.items():
         drawn: dict[str, list[list[float]]] = {}
@@ -158,18 +158,21 @@ def columns(names: dict[int, str]) -> pd.DataFrame:
 
 
 def main() -> None:
-    argparse.ArgumentParser(prog="python -m experiments.figure11", description=__doc__.split("\n")[0]).parse_args()
+    argparse.ArgumentParser(
+        prog="python -m experiments.studies.curve_to_curve", description=__doc__.split("\n")[0]
+    ).parse_args()
     names = {row: gallery.pairs()[row - 1] for row in ROWS}
     table = columns(names)
-    write_csv(RESULTS / "table1_columns.csv", rounded(table.copy()))
-    over = compute("figure11_ways", PARAMETERS | WAYS, list(names.values()), ways)
-    write_csv(RESULTS / "table1_ways.csv", table_of_ways(table, dict(zip(names.items(), over, strict=True))))
-    pairs = [f"{a} - {b}" for a, b in combinations(shapes(), 2)]
-    both = [row for row in compute("figure11_flips", PARAMETERS, pairs, straight_and_flipped) if row]
-    write_csv(RESULTS / "table1_flips.csv", rounded(pd.DataFrame(both)))
+    write_csv(RESULTS / "table_1_curve_to_curve.csv", rounded(table.copy()))
+    over = compute("curve_to_curve_ways", PARAMETERS | WAYS, list(names.values()), ways)
+    write_csv(
+        RESULTS / "table_1_curve_to_curve_ways.csv", table_of_ways(table, dict(zip(names.items(), over, strict=True)))
+    )
+    common = [row for row in compute("curve_to_curve_flips", PARAMETERS, pairs(), straight_and_flipped) if row]
+    write_csv(RESULTS / "table_1_curve_to_curve_flips.csv", rounded(pd.DataFrame(common)))
     print(
-        f"figure11: {len(ROWS)} columns of Table 1, {PARAMETERS['samples']} draws; {len(both)} pairs with and without "
-        "flips -> results/table1_columns.csv, table1_ways.csv, table1_flips.csv"
+        f"curve_to_curve: {len(ROWS)} columns of Table 1, {PARAMETERS['samples']} draws; {len(common)} pairs with and "
+        "without flips -> results/table_1_curve_to_curve.csv, _ways.csv, _flips.csv"
     )
 
 

@@ -1,7 +1,7 @@
 """Flip sequences beside the true flip distance, which is known for small polygons by search.
 
 For every pair of triangulations of the n-gon, n = 4 to 9: crossings, length of the sequence of Section 6.2,
-and the distance in the flip graph.  Writes results/flips.csv.
+and the distance in the flip graph.  Writes results/flip_distance.csv.
 """
 
 from collections import deque
@@ -9,37 +9,12 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from experiments.store import RESULTS, compute, write_csv
-from tween import Triangulation, decompose
+from experiments.subjects import flip_graph
 from tween.morphing.incompatible.flip_sequence import count_crossings, flip_sequence
-from tween.triangulating.flips import flip
 
 SIZES = [str(n) for n in range(4, 10)]
-
-
-def polygon(n: int) -> NDArray[np.float64]:
-    angle = 2 * np.pi * np.arange(n) / n
-    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
-
-
-def flip_graph(n: int) -> tuple[list[Triangulation], list[list[int]]]:
-    """All triangulations of the n-gon, found by flipping, and the neighbours of each."""
-    found = [decompose(polygon(n)).arbitrary()]
-    number = {found[0].canonical.tobytes(): 0}
-    neighbours: list[list[int]] = []
-    for T in found:
-        near = []
-        for a, b in T.diagonals.tolist():
-            other = flip(T, (a, b))
-            key = other.canonical.tobytes()
-            if key not in number:
-                number[key] = len(found)
-                found.append(other)
-            near.append(number[key])
-        neighbours.append(near)
-    return found, neighbours
 
 
 def distances(neighbours: list[list[int]], start: int) -> list[int]:
@@ -80,9 +55,9 @@ def work(size: str) -> dict[str, Any]:
 
 
 def main() -> None:
-    rows = compute("flips", {"sizes": SIZES}, SIZES, work)
-    write_csv(RESULTS / "flips.csv", pd.DataFrame(rows).round(4))
-    print("flips: all pairs of triangulations of up to 9 vertices -> results/flips.csv")
+    rows = compute("flip_distance", {"sizes": SIZES}, SIZES, work)
+    write_csv(RESULTS / "flip_distance.csv", pd.DataFrame(rows).round(4))
+    print("flip_distance: all pairs of triangulations of up to 9 vertices -> results/flip_distance.csv")
 
 
 if __name__ == "__main__":

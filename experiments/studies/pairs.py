@@ -5,15 +5,14 @@ flows have done their last flip (u, v) with flips in partial and in sequential o
 checked: ends, symmetry, positive triangles, continuity.  Writes results/pairs.csv.
 """
 
-from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from experiments import subjects
 from experiments.store import RESULTS, compute, write_csv
-from experiments.table1 import shape, shapes
 from tween import Curve, Morph, align, area_matrix, area_rank, frame_variance, morph
 from tween.errors import IncompatibleError
 from tween.geometry.predicates import orient2d
@@ -34,14 +33,14 @@ def common_triangulation(source: Curve, target: Curve) -> str:
 def checks(m: Morph, back: Morph, source: Curve, target: Curve) -> dict[str, Any]:
     """Largest errors, relative to the size of the shapes, and whether all triangles are positive."""
     size = max(float(np.ptp(c.points, axis=0).max()) for c in (source, target))
-    shapes_, returned = m.frames(PARAMETERS["frames"]), back.frames(PARAMETERS["frames"])[::-1]
+    shapes, returned = m.frames(PARAMETERS["frames"]), back.frames(PARAMETERS["frames"])[::-1]
     steps = [np.abs(np.diff(m.frames(k), axis=0)).max() for k in (401, 801)]
     return {
         "end_error": max(_end_error(m(0), m.source_vertices, source), _end_error(m(1), m.target_vertices, target))
         / size,
-        "symmetry_error": float(np.abs(np.roll(returned, -m.alignment.shift, axis=1) - shapes_).max()) / size,
+        "symmetry_error": float(np.abs(np.roll(returned, -m.alignment.shift, axis=1) - shapes).max()) / size,
         "step_ratio": float(steps[0] / steps[1]),
-        "positive": _positive(m, shapes_),
+        "positive": _positive(m, shapes),
     }
 
 
@@ -58,8 +57,8 @@ def _positive(m: Morph, frames: NDArray[np.float64]) -> bool:
 
 def work(pair: str) -> list[dict[str, Any]]:
     """The rows of one pair, a row a path."""
-    names = pair.split(" - ")
-    source, target = map(shape, names)
+    names = pair.split(subjects.BETWEEN)
+    source, target = subjects.both(pair)
     common = common_triangulation(source, target)
     rows = []
     for path in PARAMETERS["paths"]:
@@ -101,7 +100,7 @@ def table(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def main() -> None:
-    names = [f"{a} - {b}" for a, b in combinations(shapes(), 2)]
+    names = subjects.pairs()
     rows = [row for part in compute("pairs", PARAMETERS, names, work) for row in part]
     write_csv(RESULTS / "pairs.csv", table(rows))
     print(f"pairs: {len(names)} pairs, both ways, both paths -> results/pairs.csv")

@@ -7,14 +7,14 @@ at the renumbering with fewest crossings of all.  Writes results/pivots.csv.
 """
 
 from collections.abc import Iterable
-from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
+from experiments import subjects
 from experiments.store import RESULTS, compute, write_csv
-from tween import Curve, area_matrix, area_rank, frame_variance, gallery, morph
+from tween import area_matrix, area_rank, frame_variance, gallery, morph
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import equal_counts
 from tween.morphing.incompatible.flip_sequence import crossings_by_shift
@@ -22,13 +22,6 @@ from tween.morphing.incompatible.pivots import pivot_shift
 
 PARAMETERS: dict[str, Any] = {"frames": 100, "path": "slide", "tolerance": 1e-4, "spread": 8}
 MEASURES = ["crossings", "flips", "finish", "AR_1e-4", "Var"]
-
-
-def curves(pair: str) -> tuple[Curve, Curve]:
-    if " - " not in pair:
-        return gallery.pair(pair)
-    first, second = pair.split(" - ")
-    return gallery.curve(first), gallery.curve(second)
 
 
 def measure(source: Triangulation, target: Triangulation, shift: int) -> list[float]:
@@ -41,7 +34,7 @@ def measure(source: Triangulation, target: Triangulation, shift: int) -> list[fl
 
 def work(pair: str) -> list[dict[str, Any]]:
     """A row for each way to match the vertices."""
-    first, second, *_ = equal_counts(*curves(pair))
+    first, second, *_ = equal_counts(*subjects.both(pair))
     n = len(first)
     spread = [round(i * n / PARAMETERS["spread"]) for i in range(PARAMETERS["spread"])]
     fewest = int(np.argmin(crossings_by_shift(first, second, np.arange(n))))
@@ -62,7 +55,7 @@ def table(rows: Iterable[dict[str, Any]]) -> pd.DataFrame:
 
 
 def main() -> None:
-    pairs = [*gallery.pairs(), *(f"{a} - {b}" for a, b in combinations(gallery.names(), 2))]
+    pairs = [*gallery.pairs(), *subjects.pairs(gallery.names())]
     rows = [row for part in compute("pivots", PARAMETERS, pairs, work) for row in part]
     write_csv(RESULTS / "pivots.csv", table(rows))
     print(f"pivots: {len(pairs)} pairs, four ways to match -> results/pivots.csv")

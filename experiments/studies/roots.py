@@ -28,13 +28,14 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import pdist
 from scipy.stats import spearmanr
 
+from experiments.measures import MEASURES as TABLE_1
+from experiments.measures import measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from experiments.table1 import percentile, shape, shapes
+from experiments.subjects import shape, shapes
 from tween import Triangulation, area_matrix, frame_variance, morph, remesh, triangulate, verify
 from tween.gallery.generators import random_disk
 from tween.geometry.dual_tree import RootedTree, disk_center, hops, rooted, tree_center
 from tween.geometry.triangulation import arc_gaps
-from tween.measuring.metrics import rank_of
 from tween.morphing.compatible.paths import Path
 
 PARAMETERS: dict[str, Any] = {
@@ -45,9 +46,8 @@ PARAMETERS: dict[str, Any] = {
     "random_disks": 30,
     "n": 60,
 }
-RANKS = [f"AR_{tolerance:.0e}".replace("e-0", "e-") for tolerance in PARAMETERS["tolerances"]]
 PROPERTIES = ["height", "side", "distance", "area", "stretch"]
-KEPT = [*RANKS, "Var", "Var_scaled", "excursion", "excursion_scaled", "area_max"]
+KEPT = [*TABLE_1, "Var_scaled", "excursion", "excursion_scaled", "area_max"]
 MEASURES = [*KEPT, "area_min", "way_scaled", "unevenness_scaled"]
 RULES = ["disk-center", "tree-center", "largest", "least stretched", "deepest leaf"]
 PRIME = 2**31 - 1  # leaves 3 when divided by 4: x**2 + y**2 is 0 only for x = y = 0
@@ -109,13 +109,12 @@ def measure(T: Triangulation, disk: Triangulation, path: Path, root: int) -> dic
     """What the morph from one root is like; lengths in diameters of the source, areas in the source's."""
     m = morph(T, disk, path=path, root=root)
     frames, A = m.frames(PARAMETERS["frames"]), area_matrix(m, PARAMETERS["frames"])
-    singular, total = np.linalg.svd(A, compute_uv=False), A.sum(axis=0)
+    total = A.sum(axis=0)
     factor = np.sqrt(np.linspace(total[0], total[-1], len(total)) / total)
     centres = frames[:, T.triangles[root]].mean(axis=1, keepdims=True)
     scaled = centres + (frames - centres) * factor[:, None, None]
     ways, diameter = lengths(np.diff(scaled, axis=0)).sum(axis=0), float(pdist(T.points).max())
-    return dict(zip(RANKS, (rank_of(singular, rtol) for rtol in PARAMETERS["tolerances"]), strict=True)) | {
-        "Var": frame_variance(A),
+    return dict(zip(TABLE_1, measures(A, PARAMETERS["tolerances"]), strict=True)) | {
         "Var_scaled": frame_variance(A * factor**2),
         "excursion": excursion(frames) / diameter,
         "excursion_scaled": excursion(scaled) / diameter,

@@ -6,7 +6,7 @@ and what "arbitrary" means; each at many tolerances of the rank.  On how many cu
 below, at and above the median of the random ones, and by which factor do they differ?  Writes results/sensitivity.csv.
 
 And what the rank counts: how many triangles slide (follow an arc) and how thin they are, in the remeshed triangulation
-and in random ones, and whether the rank follows either.  Writes results/table1_slides.csv.
+and in random ones, and whether the rank follows either.  Writes results/table_1_slides.csv.
 """
 
 import argparse
@@ -18,14 +18,13 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
+from experiments.measures import PARAMETERS as TABLE_1
+from experiments.measures import ToDisk, measures, percentile, slid
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from experiments.table1 import PARAMETERS as TABLE_1
-from experiments.table1 import ToDisk, percentile, shape, shapes
-from tween import Decomposition, Triangulation, decompose, frame_variance, remesh
-from tween.geometry.dual_tree import rooted
-from tween.measuring.metrics import rank_of
+from experiments.subjects import shape, shapes
+from tween import Decomposition, Triangulation, decompose, remesh
 from tween.morphing.compatible.leg import root_triangle
-from tween.morphing.compatible.paths import Path, slides
+from tween.morphing.compatible.paths import Path
 from tween.triangulating.costs import edge_length, smallest_angle
 
 PARAMETERS: dict[str, Any] = {"seed": TABLE_1["seed"], "samples": 200, "fewer": 100}
@@ -106,11 +105,7 @@ def area_matrices(setting: Setting, T: Sequence[Triangulation]) -> list[Array]:
 
 def measured(matrices: Sequence[Array]) -> Array:
     """AR at every tolerance, then Var, a row a matrix."""
-    rows = []
-    for A in matrices:
-        singular = np.linalg.svd(A, compute_uv=False)
-        rows.append([*(rank_of(singular, float(rtol)) for rtol in TOLERANCES), frame_variance(A)])
-    return np.array(rows)
+    return np.array([measures(A, map(float, TOLERANCES)) for A in matrices])
 
 
 def beside_median(values: Array) -> dict[str, list[float]]:
@@ -144,7 +139,7 @@ def slides_row(T: Sequence[Triangulation], values: Array) -> dict[str, float]:
     disk = T[0].on_disk().points
     angles = [np.degrees(-smallest_angle(t.points)(t.triangles)) for t in T]
     columns = {
-        "slides": np.array([count_slides(t, disk) for t in T]),
+        "slides": np.array([slid(t, disk).any(axis=1).sum() for t in T]),
         "thinnest": np.array([a.min() for a in angles]),
         "typical": np.array([np.median(a) for a in angles]),
     }
@@ -159,19 +154,6 @@ def slides_row(T: Sequence[Triangulation], values: Array) -> dict[str, float]:
             flat = np.ptp(column[1:]) == 0 or np.ptp(drawn) == 0
             row[f"{label}_{measure}"] = np.nan if flat else round(float(spearmanr(column[1:], drawn).statistic), 3)
     return row
-
-
-def count_slides(T: Triangulation, disk: Array) -> int:
-    """In how many triangles "slide" replaces part of the third vertex's straight way by an arc."""
-    tree = rooted(T, root_triangle(DEFAULT.root, T, T.moved(disk)))
-    rows, slots = np.arange(len(T.triangles))[:, None], (tree.base[:, None] + np.arange(3)) % 3
-    corners = T.triangles[rows, slots]  # the base is the edge from the first to the second
-    thirds = []
-    for points in (T.points, disk):
-        a, b, c = (points @ np.array([1.0, 1.0j]))[corners].T
-        thirds.append((c - a) / (b - a))
-    propagates = T.twin[rows, slots[:, [2, 1]]] >= 0
-    return int(slides(thirds[0], thirds[1], propagates).any(axis=1).sum())
 
 
 def summary(results: Sequence[dict[str, Any]]) -> pd.DataFrame:
@@ -198,16 +180,18 @@ def summary(results: Sequence[dict[str, Any]]) -> pd.DataFrame:
 
 
 def main() -> None:
-    argparse.ArgumentParser(prog="python -m experiments.sensitivity", description=__doc__.split("\n")[0]).parse_args()
+    argparse.ArgumentParser(
+        prog="python -m experiments.studies.sensitivity", description=__doc__.split("\n")[0]
+    ).parse_args()
     names = list(shapes())
     results = compute("sensitivity", PARAMETERS, names, study)
     table = summary(results)
     write_csv(RESULTS / "sensitivity.csv", table)
     of_slides = [{"curve": name} | result["slides"] for name, result in zip(names, results, strict=True)]
-    write_csv(RESULTS / "table1_slides.csv", pd.DataFrame(of_slides))
+    write_csv(RESULTS / "table_1_slides.csv", pd.DataFrame(of_slides))
     print(
         f"sensitivity: {len(names)} curves, {table.groupby(['factor', 'setting']).ngroups} settings "
-        "-> results/sensitivity.csv, results/table1_slides.csv"
+        "-> results/sensitivity.csv, results/table_1_slides.csv"
     )
 
 

@@ -1,7 +1,7 @@
 """Table 1 in the paper's layout, the paper's numbers above ours, as CSV, Markdown and LaTeX.
 
 The columns are rows 1, 3, 4 and 7 of Figure 11, each with X, remeshed, and Y, arbitrary.  Reads
-results/table1_columns.csv, which `experiments.figure11` writes; writes results/table_1.csv, table_1.md and table_1.tex.
+results/table_1_curve_to_curve.csv, which `curve_to_curve` writes; writes results/table_1.csv, .md and .tex.
 """
 
 import argparse
@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import pandas as pd
 
+from experiments.measures import PARAMETERS
 from experiments.store import RESULTS, write_csv, write_text
-from experiments.table1 import PARAMETERS
 
 HEADLINE, TOLERANCES = "1e-4", ("1e-4", "1e-6", "1e-9")
 CAPTION = (
@@ -151,13 +151,13 @@ def escaped(text: str) -> str:
 
 def main() -> None:
     argparse.ArgumentParser(
-        prog="python -m experiments.table1_formats", description=__doc__.split("\n")[0]
+        prog="python -m experiments.studies.table_1_layout", description=__doc__.split("\n")[0]
     ).parse_args()
-    columns = pd.read_csv(RESULTS / "table1_columns.csv")
+    columns = pd.read_csv(RESULTS / "table_1_curve_to_curve.csv")
     write_csv(RESULTS / "table_1.csv", as_csv(columns))
     write_text(RESULTS / "table_1.md", as_markdown(columns))
     write_text(RESULTS / "table_1.tex", as_latex(columns))
-    print("table1_formats: the paper's layout -> results/table_1.csv, results/table_1.md, results/table_1.tex")
+    print("table_1_layout: the paper's layout -> results/table_1.csv, results/table_1.md, results/table_1.tex")
 
 
 if __name__ == "__main__":

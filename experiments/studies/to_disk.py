@@ -3,13 +3,12 @@
 For every curve of the gallery and every letter, and for both of the paper's paths: the area-matrix
 rank (AR) at three tolerances and the variance of the frame differences (Var), for the remeshed
 triangulation, for the first and the last one of the table (what "arbitrary" may have meant), and for
-many drawn uniformly from all.  Writes results/table1.csv, results/table1.json (with histograms of the
-uniform ones) and results/table1_paper.csv (the paper's own numbers).
+many drawn uniformly from all.  Writes results/table_1_to_disk.csv, results/table_1_to_disk.json (with histograms of the
+uniform ones) and results/table_1_paper.csv (the paper's own numbers).
 """
 
 import argparse
 from collections import Counter
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -17,84 +16,16 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from experiments.measures import MEASURES, PARAMETERS, QUANTILES, RANKS, ToDisk, measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
-from tween import Triangulation, area_matrix, decompose, frame_variance, gallery, morph, remesh
-from tween.measuring.metrics import rank_of
-from tween.morphing.compatible.leg import Leg, root_triangle
+from experiments.subjects import PAPER, shape, shapes
+from tween import Triangulation, area_matrix, decompose, morph, remesh
 from tween.morphing.compatible.paths import Path
-
-PARAMETERS: dict[str, Any] = {
-    "seed": 20100,
-    "samples": 1000,
-    "frames": 100,
-    "paths": ["linear", "slide"],
-    "tolerances": [1e-4, 1e-6, 1e-9],
-    "root": "disk-center",
-    "disk": "equal area, vertices spaced by arc length",
-}
-QUANTILES = {"min": 0.0, "q05": 0.05, "q25": 0.25, "median": 0.5, "q75": 0.75, "q95": 0.95, "max": 1.0}
-MEASURES = [*(f"AR_{tolerance:.0e}".replace("e-0", "e-") for tolerance in PARAMETERS["tolerances"]), "Var"]
-PAPER: dict[
-    str, list[Any]
-] = {  # Table 1 as printed; the figure's curves are unpublished, its units and tolerance not stated
-    "curve": ["Figure 11, row 1", "Figure 11, row 3", "Figure 11, row 4", "Figure 11, row 7"],
-    "AR_remeshed": [7, 17, 10, 23],
-    "AR_arbitrary": [31, 42, 13, 36],
-    "Var_remeshed": [0.01, 0.01, 0.007, 0.007],
-    "Var_arbitrary": [0.11, 0.02, 0.008, 0.03],
-}
-
-
-def shapes() -> dict[str, str]:
-    """The study's curves: name -> kind."""
-    letters = {f"letter {letter}": "letter" for letter in gallery.letters()}
-    return {name: "constructed" for name in gallery.names()} | letters
-
-
-def shape(name: str) -> Any:
-    return gallery.letter(name.removeprefix("letter ")) if name.startswith("letter ") else gallery.curve(name)
-
-
-class ToDisk:
-    """The way of one curve's triangulations to one disk, vertex i to vertex i.
-
-    To the last bit what `tween.area_matrix` makes of `tween.morph`.  But these look for the correspondence, and check
-    the curve, anew for each of 68000 morphs; here both are known, and one root serves all paths.
-    """
-
-    def __init__(self, points: NDArray[np.float64], disk: NDArray[np.float64], frames: int) -> None:
-        times = np.linspace(0.0, 1.0, frames)
-        # A morph is computed from the shape whose bytes come first, so that it is symmetric.
-        self._backwards = points.tobytes() > disk.tobytes()
-        self._disk, self._times = disk, 1 - times if self._backwards else times
-
-    def area_matrix(self, T: Triangulation, path: Path, root: int) -> NDArray[np.float64]:
-        """Areas of the triangles in all frames, as shares of the source's area, (n-2, frames)."""
-        first, last = (T.moved(self._disk), T.points) if self._backwards else (T, self._disk)
-        x, y = np.ascontiguousarray(Leg(first, last, path, root).at(self._times).transpose(2, 1, 0))
-        a, b, c = T.triangles.T
-        return 0.5 * ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])) / T.areas.sum()
-
-    def measure(self, T: Triangulation, paths: Sequence[Path]) -> list[list[float]]:
-        """AR at every tolerance, then Var, a row a path."""
-        root = root_triangle(PARAMETERS["root"], T, T.moved(self._disk))
-        return [measures(self.area_matrix(T, path, root)) for path in paths]
-
-
-def measures(A: NDArray[np.float64]) -> list[float]:
-    """AR at every tolerance, then Var, of an area matrix."""
-    singular = np.linalg.svd(A, compute_uv=False)
-    return [*(rank_of(singular, rtol) for rtol in PARAMETERS["tolerances"]), frame_variance(A)]
 
 
 def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:
     """AR at every tolerance, then Var, of the morph to the disk."""
     return measures(area_matrix(morph(T, T.moved(disk), path=path, root=PARAMETERS["root"]), PARAMETERS["frames"]))
-
-
-def percentile(value: float, distribution: NDArray[np.float64]) -> float:
-    """Share of the distribution below a value, ties counted half."""
-    return float(np.mean(distribution < value) + 0.5 * np.mean(distribution == value))
 
 
 def study(name: str, samples: int) -> dict[str, Any]:
@@ -135,7 +66,7 @@ def _histograms(drawn: NDArray[np.float64]) -> dict[str, Any]:
     """How often each AR occurs; Var at every twentieth."""
     counts = {
         m: {str(k): v for k, v in sorted(Counter(c.astype(int).tolist()).items())}
-        for m, c in zip(MEASURES[:-1], drawn.T[:-1], strict=True)
+        for m, c in zip(RANKS, drawn.T[:-1], strict=True)
     }
     twentieths = np.quantile(drawn[:, -1], np.linspace(0, 1, 21), method="inverted_cdf")
     return counts | {"Var": [float(f"{v:.4e}") for v in twentieths]}
@@ -144,15 +75,15 @@ def _histograms(drawn: NDArray[np.float64]) -> dict[str, Any]:
 def table(results: list[dict[str, Any]]) -> pd.DataFrame:
     """The rows of all curves, numbers rounded so that they agree across processors."""
     rows = pd.DataFrame([row for result in results for row in result["rows"]])
-    ranks, places = MEASURES[:-1], [f"percentile_{m}" for m in MEASURES]
-    rows[ranks] = rows[ranks].astype(int)
+    places = [f"percentile_{m}" for m in MEASURES]
+    rows[RANKS] = rows[RANKS].astype(int)
     rows["Var"] = rows["Var"].map("{:.3e}".format)
     rows[places] = rows[places].astype(float).round(4)
     return rows
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m experiments.table1", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(prog="python -m experiments.studies.to_disk", description=__doc__.split("\n")[0])
     parser.add_argument("--samples", type=int, default=PARAMETERS["samples"], help="uniform triangulations per curve")
     parser.add_argument(
         "--only", nargs="+", choices=shapes(), metavar="CURVE", help="these curves alone; prints, writes nothing"
@@ -163,12 +94,12 @@ def main() -> None:
         print(table([study(name, arguments.samples) for name in arguments.only]).to_string())
         return
     parameters = PARAMETERS | {"samples": arguments.samples}
-    results = compute("table1", parameters, names, partial(study, samples=arguments.samples))
-    write_csv(RESULTS / "table1.csv", table(results))
+    results = compute("to_disk", parameters, names, partial(study, samples=arguments.samples))
+    write_csv(RESULTS / "table_1_to_disk.csv", table(results))
     histograms = {name: value for result in results for name, value in result["histograms"].items()}
-    write_json(RESULTS / "table1.json", {"parameters": parameters, "uniform": histograms})
-    write_csv(RESULTS / "table1_paper.csv", pd.DataFrame(PAPER))
-    print(f"table1: {len(names)} curves -> results/table1.csv, results/table1.json")
+    write_json(RESULTS / "table_1_to_disk.json", {"parameters": parameters, "uniform": histograms})
+    write_csv(RESULTS / "table_1_paper.csv", pd.DataFrame(PAPER))
+    print(f"to_disk: {len(names)} curves -> results/table_1_to_disk.csv, results/table_1_to_disk.json")
 
 
 if __name__ == "__main__":

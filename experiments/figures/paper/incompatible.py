@@ -11,8 +11,8 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure, SubFigure
 from numpy.typing import NDArray
 
-from experiments.figures.gallery import SHAPES, bands, draw_row, fit
 from experiments.figures.registry import WIDTH, drawing
+from experiments.figures.rows import SHAPES, bands, draw_row, fit
 from tween import Triangulation, align, gallery, morph
 from tween import plot as draw
 from tween.morphing.incompatible.flip_sequence import flip_sequence

@@ -20,7 +20,7 @@ FEW = {"five-turn spiral strip": "0.1", "two_disks": "0.35", "five_disks": "0.55
     triangulation: with few crossings it grows like n; dashed, what pythoncdt (C++) takes for the spiral strip, which is
     a simple polygon.  Right, the vertices that are left when ears and dents are gone, all that the table of Shor and
     Van Wyk has to see.  Random disks cross themselves thousands of times, and next to nothing can go.  Medians, timed
-    once on two cores by experiments/bench_scale.py; make reproduce does not time them anew.""",
+    once on two cores by experiments/benchmarks/scaling.py; make reproduce does not time them anew.""",
 )
 def scaling() -> Figure:
     """Time, and vertices left, against the number of vertices."""

@@ -12,6 +12,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from experiments.figures.registry import WIDTH, drawing
+from experiments.measures import MEASURES
 from experiments.store import RESULTS
 from tween import plot as draw
 
@@ -45,7 +46,7 @@ def table_1_slide() -> Figure:
 
 def table_1(path: str) -> Figure:
     """Where the remeshed triangulation lies in the distribution of the random ones, curve by curve."""
-    table = pd.read_csv(RESULTS / "table1.csv")
+    table = pd.read_csv(RESULTS / "table_1_to_disk.csv")
     figure, axes = plt.subplots(1, 3, figsize=(WIDTH, 6.0), sharey=True)
     titles = {"AR_1e-4": "AR at tolerance 1e-4", "AR_1e-9": "AR at tolerance 1e-9", "Var": "Var"}
     for ax, (measure, title) in zip(axes, titles.items(), strict=True):
@@ -141,7 +142,7 @@ def _name_settings(ax: Axes, table: pd.DataFrame) -> None:
     number of slides goes with the rank at tight tolerances; the thinnest angle has nothing to do with it.""",
 )
 def table_1_slides() -> Figure:
-    table = pd.read_csv(RESULTS / "table1_slides.csv")
+    table = pd.read_csv(RESULTS / "table_1_slides.csv")
     figure = plt.figure(figsize=(WIDTH, 2.7))
     axes = figure.subplots(1, 4, width_ratios=[1.25, 1, 1, 1])
     _as_many(axes[0], table.slides_random, table.slides_remeshed, [1, 2])
@@ -169,14 +170,13 @@ def _as_many(ax: Axes, x: "pd.Series[float]", y: "pd.Series[float]", factors: Se
 
 
 def _correlations(ax: Axes, table: pd.DataFrame, label: str) -> None:
-    measures = ["AR_1e-4", "AR_1e-6", "AR_1e-9", "Var"]
-    for x, measure in enumerate(measures):
+    for x, measure in enumerate(MEASURES):
         values = table[f"{label}_{measure}"].dropna().sort_values()
         spread = 0.12 * np.resize([-1, 1, 0], len(values))
         ax.scatter(x + spread, values, s=7, color=draw.RANDOM, linewidths=0)
         ax.hlines(values.median(), x - 0.35, x + 0.35, color="0.15", linewidth=1.6, zorder=3)
     ax.axhline(0, color="0.8", linewidth=0.8, zorder=0)
-    ax.set_xticks(range(4), [m.replace("_", " ") for m in measures], rotation=90)
+    ax.set_xticks(range(4), [m.replace("_", " ") for m in MEASURES], rotation=90)
     ax.set(ylim=(-1, 1), yticks=[-1, 0, 1])
 
 
@@ -190,7 +190,7 @@ def _correlations(ax: Axes, table: pd.DataFrame, label: str) -> None:
     remeshed triangulations, which have to be flipped; the larger a dot, the more pairs.""",
 )
 def table_1_ways() -> Figure:
-    ways, flips = pd.read_csv(RESULTS / "table1_ways.csv"), pd.read_csv(RESULTS / "table1_flips.csv")
+    ways, flips = (pd.read_csv(RESULTS / f"table_1_curve_to_curve_{part}.csv") for part in ("ways", "flips"))
     figure = plt.figure(figsize=(WIDTH, 2.9))
     axes = figure.subplots(1, 5, width_ratios=[1, 1, 1, 1, 2.1])
     for ax, (pair, block) in zip(axes[:4], ways.groupby(["row", "pair"]), strict=True):
