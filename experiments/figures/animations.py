@@ -50,13 +50,14 @@ def pictures(m: Morph) -> Iterator[Image.Image]:
     canvas.figure.set_layout_engine("none")
     ax = canvas.figure.add_axes((0.0, 0.08, 1.0, 0.92))
     place, first, pivot = places(m.source), bottom(m), m.alignment.pivot
-    flips, text = np.array([event.time for event in m.events]), {"transform": ax.transAxes, "fontsize": 9}
+    flips = np.array([event.time for event in m.events])
+    text: dict[str, Any] = {"transform": ax.transAxes, "fontsize": 9}
     for t in times(m, PARAMETERS["frames"]).tolist():
         ax.clear()
         points = m(t)
         draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, first)
         if pivot is not None:
-            ax.scatter(*points[pivot], s=26, color=draw.PIVOT, linewidths=0, zorder=5)
+            ax.scatter(points[pivot, 0], points[pivot, 1], s=26, color=draw.PIVOT, linewidths=0, zorder=5)
         fit(ax, points)
         done = 0 if t == 0 else int((flips <= t).sum())
         ax.text(0.02, -0.03, f"t = {t:.3f}", **text)
