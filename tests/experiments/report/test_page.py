@@ -8,8 +8,11 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from experiments import report
-from experiments.store import FIGURES, RESULTS, ROOT
+from experiments.catalogue import STEPS, writer
+from experiments.report import facts, tables
+from experiments.report import page as report
+from experiments.report.__main__ import main
+from experiments.store import FIGURES, RESULTS
 
 VOID = {"meta", "input", "img", "wbr", "br", "link"}
 
@@ -59,10 +62,10 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
             "holds",
             "7 of 7",
             "",
-            "experiments/table1.py; tests/no_such.py::test_it",
+            "experiments/studies/to_disk.py; tests/no_such.py::test_it",
             f"{figure}.png",
         ],
-        ["two", "5", 'A "<b>" & <script>', "fails", "u < 1e-4", "with `x`", "results/table1.csv", ""],
+        ["two", "5", 'A "<b>" & <script>', "fails", "u < 1e-4", "with `x`", "results/table_1_to_disk.csv", ""],
     ]
     pd.DataFrame(rows, columns=columns).to_csv(folder / "claims.csv", index=False)
     return folder
@@ -125,7 +128,7 @@ def test_the_page_has_every_figure_in_the_papers_order(page: Reader) -> None:
 
 
 def test_the_page_has_every_cell_of_table_1(page: Reader, results: Path) -> None:
-    table = report.as_written(results / "table_1.csv")
+    table = tables.as_written(results / "table_1.csv")
     assert len(table) > 10
     for cell in table.to_numpy().ravel():
         assert cell.replace("_", " ") in page.words
@@ -139,7 +142,7 @@ def test_claims_are_quoted_and_counted(text: str, page: Reader) -> None:
     assert 'A "<b>" & <script>' in page.words
     assert "Of 2 claims of the paper 1 hold, 0 hold under a condition and 1 fail" in page.words
     assert "<code>x</code>" in text
-    assert 'href="../experiments/table1.py"' in text
+    assert 'href="../experiments/studies/to_disk.py"' in text
     assert "tests/no_such.py::test_it" in page.words
     assert "no_such.py" not in " ".join(page.addresses)
 
@@ -160,11 +163,11 @@ def test_times_are_shown_where_they_were_measured(text: str, bare: Path, tmp_pat
 
 
 def test_the_abstract_follows_the_results() -> None:
-    table = pd.read_csv(RESULTS / "table1.csv")
-    before = report.against_median(table, "AR_1e-4", "slide")
+    table = pd.read_csv(RESULTS / "table_1_to_disk.csv")
+    before = facts.against_median(table, "AR_1e-4", "slide")
     own = (table.path == "slide") & (table.triangulation == "remeshed")
     table.loc[own, "AR_1e-4"] = 10**6
-    after = report.against_median(table, "AR_1e-4", "slide")
+    after = facts.against_median(table, "AR_1e-4", "slide")
     assert before != after == {"below": 0, "above": int(own.sum()), "gap": after["gap"]}
 
 
@@ -173,15 +176,15 @@ def test_a_missing_file_is_named_with_the_study_to_run(
     file: str, bare: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (bare / file).unlink()
-    assert report.main(bare) == 1
+    assert main(bare) == 1
     message = capsys.readouterr().err
     assert f"results/{file}" in message
-    assert f"python -m experiments.{report.NEEDED[file]}" in message
+    assert writer(file).command in message
     assert not (bare / "report.html").exists()
 
 
 def test_the_page_is_written_and_its_place_is_told(bare: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert report.main(bare) == 0
+    assert main(bare) == 0
     assert capsys.readouterr().out.endswith(f"open {bare / 'report.html'}\n")
     assert Reader((bare / "report.html").read_text(encoding="utf-8")).pictures == []
 
@@ -191,12 +194,13 @@ def test_a_missing_picture_is_named(tmp_path: Path) -> None:
         report.embedded(tmp_path / "no_such.png")
 
 
-@pytest.mark.parametrize("study", report.KEYS)
+@pytest.mark.parametrize("study", tables.KEYS)
 def test_a_study_without_results_is_left_out_with_a_word(study: str, bare: Path) -> None:
-    (bare / report.KEYS[study][0]).unlink(missing_ok=True)
-    tables = report.key_tables(bare)
-    assert tables[study] is None
-    assert [name for name, table in tables.items() if table] != []
+    file = next(step for step in STEPS if step.name == study).results[0]
+    (bare / file).unlink(missing_ok=True)
+    found = {key.name: key.table for key in tables.key_tables(bare)}
+    assert found[study] is None
+    assert [name for name, table in found.items() if table] != []
 
 
 @pytest.mark.parametrize(
@@ -213,8 +217,3 @@ def test_a_study_without_results_is_left_out_with_a_word(study: str, bare: Path)
 )
 def test_places_of_the_paper_are_read(text: str, found: set[str]) -> None:
     assert report.places(text) == found
-
-
-def test_every_study_that_is_named_exists() -> None:
-    for study in {*report.KEYS, *report.NEEDED.values(), "claims"}:
-        assert (ROOT / "experiments" / f"{study}.py").exists() or (ROOT / "experiments" / study).is_dir()

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from experiments import roots
+from experiments.studies import roots
 from tween import Triangulation, remesh
 from tween.gallery.generators import random_disk
 from tween.geometry.dual_tree import disk_center, hops, rooted
