@@ -7,10 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween import Triangulation, frame_variance
+from tween.choices import Path
 from tween.geometry.dual_tree import rooted
 from tween.measuring.metrics import rank_of
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import Path, slides
+from tween.morphing.compatible.paths import slides
 
 # Of Table 1.
 PARAMETERS: dict[str, Any] = {

@@ -34,8 +34,8 @@ from tween import (
     triangulate,
     verify,
 )
+from tween.choices import PATHS, Path
 from tween.geometry.predicates import orient2d, turn
-from tween.morphing.compatible.paths import PATHS, Path
 from tween.morphing.incompatible.flip_sequence import flip_sequence
 from tween.triangulating.costs import edge_length
 

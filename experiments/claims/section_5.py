@@ -11,7 +11,8 @@ from experiments.measures import hung, slid
 from experiments.store import rng_for
 from experiments.subjects import shape
 from tween import Morph, Triangulation, area_matrix, morph, triangulate
-from tween.morphing.compatible.paths import Path, slides, third_vertices
+from tween.choices import Path
+from tween.morphing.compatible.paths import slides, third_vertices
 
 
 @claim(

@@ -8,8 +8,9 @@ from experiments.claims.shared import PARAMETERS
 from experiments.measures import MEASURES
 from experiments.subjects import both
 from tween import Triangulation, align, area_matrix, area_rank, morph
+from tween.choices import Order
 from tween.morphing.incompatible.flip_sequence import flip_sequence
-from tween.morphing.incompatible.flow import Flow, Order
+from tween.morphing.incompatible.flow import Flow
 
 
 def against_median(x: Numbers) -> pd.DataFrame:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from experiments.baselines import BASELINES
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from tween import Morph, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate, verify
-from tween.morphing.compatible.paths import PATHS
+from tween.choices import PATHS
 from tween.triangulating.costs import conformal_distortion
 
 PARAMETERS: dict[str, Any] = {

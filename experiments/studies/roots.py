@@ -33,10 +33,10 @@ from experiments.measures import measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
 from tween import Triangulation, area_matrix, frame_variance, morph, remesh, triangulate, verify
+from tween.choices import Path
 from tween.gallery.generators import random_disk
 from tween.geometry.dual_tree import RootedTree, disk_center, hops, rooted, tree_center
 from tween.geometry.triangulation import arc_gaps
-from tween.morphing.compatible.paths import Path
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,

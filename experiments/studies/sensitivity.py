@@ -23,8 +23,8 @@ from experiments.measures import ToDisk, measures, percentile, slid
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
 from tween import Decomposition, Triangulation, decompose, remesh
+from tween.choices import Path
 from tween.morphing.compatible.leg import root_triangle
-from tween.morphing.compatible.paths import Path
 from tween.triangulating.costs import edge_length, smallest_angle
 
 PARAMETERS: dict[str, Any] = {"seed": TABLE_1["seed"], "samples": 200, "fewer": 100}

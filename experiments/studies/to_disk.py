@@ -20,7 +20,7 @@ from experiments.measures import MEASURES, PARAMETERS, QUANTILES, RANKS, ToDisk,
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from experiments.subjects import PAPER, shape, shapes
 from tween import Triangulation, area_matrix, decompose, morph, remesh
-from tween.morphing.compatible.paths import Path
+from tween.choices import Path
 
 
 def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:

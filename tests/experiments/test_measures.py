@@ -6,8 +6,8 @@ import pytest
 from experiments.measures import PARAMETERS, RANKS, ToDisk, hung, percentile, slid
 from experiments.subjects import shape
 from tween import area_matrix, decompose, gallery, morph, remesh, triangulate
+from tween.choices import Path
 from tween.morphing.compatible.leg import root_triangle
-from tween.morphing.compatible.paths import Path
 
 
 def test_ranks_are_named_by_their_tolerances() -> None:

@@ -20,9 +20,10 @@ from experiments.figures.registry import SEED, WIDTH, drawing
 from experiments.store import rng_for
 from tween import Morph, Triangulation, decompose, gallery, morph, triangulate
 from tween import plot as draw
+from tween.choices import Path
 from tween.geometry.dual_tree import rooted
 from tween.geometry.predicates import orient2d
-from tween.morphing.compatible.paths import Path, third_vertices
+from tween.morphing.compatible.paths import third_vertices
 
 TIMES = np.linspace(0, 1, 7)
 MORE_TIMES = np.linspace(0, 1, 9)

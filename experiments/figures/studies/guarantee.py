@@ -12,7 +12,7 @@ from experiments.figures.registry import WIDTH, drawing
 from experiments.store import RESULTS
 from tween import certify, gallery, morph, triangulate
 from tween import plot as draw
-from tween.morphing.compatible.paths import PATHS, Path
+from tween.choices import PATHS, Path
 
 TIMES = np.linspace(0, 1, 7)
 KINDS = {
