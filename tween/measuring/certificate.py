@@ -7,7 +7,7 @@ What was checked, and nothing else, a certificate says in one of these ways:
                                               `tween.measuring.straight_motion`
 
 What a morph promises about itself is no check and is not repeated here.  Nothing but the predicates is shared with
-`tween.geometry.triangulation`, `tween.geometry.curve` or the morphs.
+`tween.geometry` or the morphs.
 
 Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``t`` time; ``stage`` number of the list of
 triangles in force.
@@ -144,7 +144,7 @@ def verify(
     -----
     The rules, all exact: n-2 triangles of three different vertices; each boundary edge in one triangle, in
     the direction of the curve; each diagonal in two, in opposite directions; dual graph connected; coordinates
-    finite and within `EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
+    finite and within `.EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
     one says that the curve has no spike and turning number 1, see `tween.measuring.frame_check`.  O(n k).
 
     Between frames the last two rules are decided for all real numbers between, see `tween.measuring.straight_motion`: about
@@ -393,7 +393,7 @@ def _doubtful(t, stage, sums, heights):
     """Whether, between each frame and the next, an angle sum may reach 2 pi or a height 0."""
     doubt = np.zeros(t.size - 1, np.bool_)
     for f in range(t.size - 1):
-        if stage[f] == stage[f + 1]:
+        if stage[f] == stage[f + 1]:  # else a flip: one instant, looked at before and after
             doubt[f] = _may_rise(t, stage, sums, 1.0, f, 2.0 * pi) or _may_rise(t, stage, heights, -1.0, f, 0.0)
     return doubt
 
@@ -401,12 +401,14 @@ def _doubtful(t, stage, sums, heights):
 @njit(cache=True)
 def _may_rise(t, stage, values, sign, f, limit):
     """Whether sign times a value may reach the limit at the rates seen between frames f - 1 to f + 2."""
+    # the fastest of three intervals, as a single one may straddle a peak and seem slow
     first, last = max(f - 1, 0), min(f + 1, t.size - 2)
     for v in range(values.shape[1]):
         rate = 0.0
         for g in range(first, last + 1):
             if stage[g] == stage[f] and stage[g + 1] == stage[f]:
                 rate = max(rate, abs(values[g + 1, v] - values[g, v]) / (t[g + 1] - t[g]))
+        # lines of this slope, up from both ends, meet at half this sum: no peak is higher
         if 0.5 * (sign * (values[f, v] + values[f + 1, v]) + rate * (t[f + 1] - t[f])) >= limit:
             return True
     return False

@@ -49,7 +49,7 @@ class _Choices(NamedTuple):
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
         if self.path == "angle":
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
@@ -73,12 +73,12 @@ def morph(
         Where they have different numbers of vertices, vertices are inserted on the one with fewer, see
         `align`.  A curve stands for its constrained Delaunay triangulation.
     path : {"slide", "linear", "angle", "area", "metric"}
-        How third vertices move, see `paths`; the first two are the paper's.
+        How third vertices move, see `.paths`; the first two are the paper's.
     root : {"disk-center", "tree-center"} or int
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
         choice), the centre of the dual tree, or a triangle of the source by number.
     guarantee : bool
-        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `angle_budgets`.
+        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `.angle_budgets`.
         Without it only the path "angle" does, where there are no flips.
     strategy : {"auto", "paper", "common"}
         "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
@@ -88,7 +88,7 @@ def morph(
         vertices only the pivots' correspondence is tried, above 500 only where the joint table stays small.
         Triangulations that were given are kept ("paper").
     order : {"partial", "sequential"}
-        Whether flips that do not depend on each other wait for each other, see `flow`.
+        Whether flips that do not depend on each other wait for each other, see `.flow`.
     shifts : {"pivots", "all"} or int
         Which vertices correspond.  "pivots": as above.  "all": of all renumberings the one whose common
         triangulation distorts least, or, where triangulations are flipped, that with fewest crossings.
