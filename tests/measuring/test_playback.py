@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tween import TweenError, find_triangles, gallery, morph, triangulate, verify
-from tween.errors import NotSelfOverlappingError
+from tween import TweenError, gallery, morph, triangulate, verify
 from tween.measuring.playback import playback
 
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
@@ -116,20 +115,3 @@ def test_frames_can_be_limited() -> None:
 def test_senseless_limits_are_misuse(options, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         playback(Scripted(turned), **options)
-
-
-# Frames without triangles
-
-
-def test_triangles_are_found_for_frames_without() -> None:
-    source, target = gallery.pair("e_to_l")
-    m = morph(source, target, strategy="common")
-    frames = m.at(m.playback(1e-2).times)
-    triangles = find_triangles(frames)
-    assert triangles.shape == (len(frames), len(m.source) - 2, 3)
-    assert verify(frames, triangles, between="linear").valid
-
-
-def test_a_frame_that_bounds_no_disk_has_no_triangles() -> None:
-    with pytest.raises(NotSelfOverlappingError, match="frame 1 bounds no immersed disk: turning number"):
-        find_triangles([SQUARE, [[0, 0], [2, 2], [2, 0], [0, 2]]])

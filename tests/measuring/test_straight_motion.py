@@ -21,7 +21,7 @@ from tween import certify, gallery, morph, verify
 from tween.measuring import straight_motion
 from tween.measuring.straight_motion import Breach, breaches
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
 HALVES, OTHER_HALVES = [(0, 1, 2), (0, 2, 3)], [(0, 1, 3), (1, 2, 3)]
 PAIRS = int(os.environ.get("STRAIGHT_PAIRS", "2000"))  # against Sturm's theorem; 100,000 were run once
@@ -324,7 +324,7 @@ def test_a_hundred_frames_of_a_thousand_vertices_take_tens_of_milliseconds() -> 
 
 SAME = """
 import json, sys
-sys.path.insert(0, "tests")
+sys.path[:0] = ["tests", "tests/measuring"]
 import numpy as np
 from itertools import islice
 from test_straight_motion import breaches, fan, pairs
