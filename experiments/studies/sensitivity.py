@@ -23,7 +23,7 @@ from experiments.measures import areas_to_disk, measures, percentile, slid
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
 from tween import Decomposition, Triangulation, decompose, remesh
-from tween.choices import Path
+from tween.choices import Path, Root
 from tween.triangulating.costs import edge_length, smallest_angle
 
 PARAMETERS: dict[str, Any] = {"seed": TABLE_1["seed"], "samples": 200, "fewer": 100}
@@ -40,7 +40,7 @@ class Setting(NamedTuple):
     frames: int = 100
     spacing: Literal["arc", "uniform"] = "arc"
     radius: float = 1.0  # of the disk; 1 gives it the area of the curve's own
-    root: str = "disk-center"
+    root: Root = "disk-center"
 
 
 DEFAULT, LINEAR = Setting(), Setting(path="linear")
