@@ -25,7 +25,7 @@ HERE = Path(__file__).resolve().parent
 project = "tween"
 author = "The tween developers"
 copyright = author
-version = release = installed_version("tween")
+version = release = installed_version("tween-immersions")
 language = "en"
 
 extensions = [

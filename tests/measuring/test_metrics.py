@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tween import area_matrix, area_rank, certify, frame_variance, morph, triangulate
+from tween.choices import PATHS
 from tween.gallery import curve, pair
-from tween.measuring.metrics import rank_of, vertex_sums
-from tween.morphing.compatible.paths import PATHS
+from tween.measuring.metrics import angle_sums, rank_of
 
 CURVES = ("arrow", "horseshoe", "two_loops", "five_disks", "spiral_1")
 
@@ -104,14 +104,14 @@ def test_standing_still_has_rank_one_and_no_variance(name: str, path) -> None:
 def test_sums_of_angles_are_those_that_a_certificate_finds() -> None:
     for m in (to_disk("horseshoe"), morph(*pair("comb_to_winding"), strategy="paper")):
         times = np.unique([*np.linspace(0, 1, 100), *(event.time for event in m.events)])
-        sums, found = vertex_sums(m, times), certify(m)
+        sums, found = angle_sums(m, times), certify(m)
         np.testing.assert_allclose(sums.sum(axis=0), (len(m.source) - 2) * np.pi)
         assert sums.max() <= found.max_angle + 1e-9
-        at = vertex_sums(m, np.array([found.max_angle_time]))
+        at = angle_sums(m, np.array([found.max_angle_time]))
         assert at[found.max_angle_vertex, 0] == pytest.approx(found.max_angle)
 
 
 def test_a_flip_changes_no_sum_of_angles() -> None:
     m = morph(*pair("comb_to_winding"), strategy="paper")
     t = m.events[5].time
-    np.testing.assert_allclose(*vertex_sums(m, np.array([np.nextafter(t, 0), t])).T, atol=1e-9)
+    np.testing.assert_allclose(*angle_sums(m, np.array([np.nextafter(t, 0), t])).T, atol=1e-9)

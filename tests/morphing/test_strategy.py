@@ -21,12 +21,12 @@ from tween import (
     remesh,
     triangulate,
 )
+from tween.choices import PATHS
 from tween.errors import IncompatibleError
 from tween.gallery import curve, letter, names, random_disk
 from tween.geometry.dual_tree import disk_center
 from tween.geometry.predicates import orient2d
 from tween.morphing import strategy
-from tween.morphing.compatible.paths import PATHS
 
 ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]

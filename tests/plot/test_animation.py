@@ -14,7 +14,7 @@ from tween.errors import FileError
 from tween.gallery import pair
 from tween.plot import animation
 from tween.plot.animation import formats, save_animation
-from tween.plot.film import film
+from tween.plot.film import record
 from tween.plot.pixels import picture
 
 PICTURES = (".gif", ".png", ".apng", ".webp")
@@ -55,14 +55,14 @@ def test_one_way_ends_at_the_target(tmp_path: Path, m: Morph, suffix: str) -> No
     path = save_animation(tmp_path / f"a{suffix}", m, there_and_back=False, size=(80, 64), frames=6)
     frames, _ = frames_of(path)
     assert len(frames) == 6
-    expected = np.asarray(picture(film(m, frames=6, size=(80, 64)), 5), dtype=float)
+    expected = np.asarray(picture(record(m, frames=6, size=(80, 64)), 5), dtype=float)
     assert frames[-1].shape == expected.shape == (64, 80, 3)
     assert np.abs(frames[-1] - expected).mean() < 5
 
 
 def test_a_png_holds_the_pictures_exactly(tmp_path: Path, m: Morph) -> None:
     frames, _ = frames_of(save_animation(tmp_path / "a.png", m, **SMALL))
-    shown = film(m, **SMALL)
+    shown = record(m, **SMALL)
     for k, frame in zip(shown.numbers, frames, strict=True):
         np.testing.assert_array_equal(frame, np.asarray(picture(shown, k)))
 
@@ -73,7 +73,7 @@ def test_a_gif_keeps_background_and_ink_and_comes_close_to_every_colour(
 ) -> None:
     options = SMALL | {"background": background, "size": 160}
     frames, _ = frames_of(save_animation(tmp_path / "a.gif", m, **options))
-    shown = film(m, **options)
+    shown = record(m, **options)
     for k, frame in zip(shown.numbers, frames, strict=True):
         exact = np.asarray(picture(shown, k), dtype=float)
         for color in (shown.background, shown.ink):
@@ -166,7 +166,7 @@ def test_ffmpeg_gets_every_frame_as_often_as_it_shows(tmp_path: Path, m: Morph, 
     ffmpeg("open(sys.argv[-1], 'wb').write(' '.join(sys.argv).encode() + b'\\n' + sys.stdin.buffer.read())")
     path = save_animation(tmp_path / "a.mp4", m, fps=10, hold=0.3, **SMALL)
     command, content = path.read_bytes().split(b"\n", 1)
-    shown = film(m, **SMALL)
+    shown = record(m, **SMALL)
     counts = [4, 1, 1, 1, 1, 4, 1, 1, 1, 1, 1]
     expected = b"".join(picture(shown, k).tobytes() * c for k, c in zip(shown.numbers, counts, strict=True))
     assert content == expected

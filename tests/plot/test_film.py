@@ -8,9 +8,10 @@ import pytest
 from matplotlib.colors import to_rgb
 
 from tween import Morph, morph, triangulate
+from tween.colors import SOURCE, TARGET
 from tween.gallery import curve, pair
-from tween.plot.film import Film, film
-from tween.plot.shapes import SOURCE, TARGET, identity_colors
+from tween.plot.film import Film, record
+from tween.plot.shapes import identity_colors
 
 
 @pytest.fixture(scope="module")
@@ -25,21 +26,21 @@ def plain() -> Morph:
 
 
 def test_shapes_go_from_the_source_to_the_target_and_back(plain: Morph) -> None:
-    shown = film(plain, frames=5)
+    shown = record(plain, frames=5)
     assert shown.times[0] == 0 and shown.times[-1] == 1
     assert shown.numbers.tolist() == [0, 1, 2, 3, 4, 3, 2, 1, 0]
-    assert film(plain, frames=5, there_and_back=False).numbers.tolist() == [0, 1, 2, 3, 4]
+    assert record(plain, frames=5, there_and_back=False).numbers.tolist() == [0, 1, 2, 3, 4]
 
 
 def test_source_and_target_rest_once_each(plain: Morph) -> None:
-    shown = film(plain, frames=4, fps=20, hold=0.5)
+    shown = record(plain, frames=4, fps=20, hold=0.5)
     np.testing.assert_allclose(shown.seconds, [0.55, 0.05, 0.05, 0.55, 0.05, 0.05, 0.05])
-    once = film(plain, frames=4, fps=20, hold=0.5, there_and_back=False)
+    once = record(plain, frames=4, fps=20, hold=0.5, there_and_back=False)
     np.testing.assert_allclose(once.seconds, [0.55, 0.05, 0.05, 0.55])
 
 
 def test_with_ease_the_motion_starts_and_ends_slowly(plain: Morph) -> None:
-    even, eased = (np.diff(film(plain, frames=21, ease=ease).times) for ease in (False, True))
+    even, eased = (np.diff(record(plain, frames=21, ease=ease).times) for ease in (False, True))
     np.testing.assert_allclose(even, 0.05)
     assert eased[0] < 0.01 and eased[-1] < 0.01 and eased[10] > 0.07
     assert (eased > 0).all()
@@ -48,7 +49,7 @@ def test_with_ease_the_motion_starts_and_ends_slowly(plain: Morph) -> None:
 @pytest.mark.parametrize("size", [100, 333, (120, 80), (80, 120)])
 @pytest.mark.parametrize("one_scale", [True, False])
 def test_all_shapes_are_on_the_canvas_and_fill_it(flipping: Morph, size: Any, one_scale: bool) -> None:
-    shown = film(flipping, frames=12, size=size, one_scale=one_scale)
+    shown = record(flipping, frames=12, size=size, one_scale=one_scale)
     low, high = shown.shapes.min(axis=(0, 1)), shown.shapes.max(axis=(0, 1))
     sides = np.array([shown.width, shown.height])
     margin = 0.04 * sides.max()
@@ -58,14 +59,14 @@ def test_all_shapes_are_on_the_canvas_and_fill_it(flipping: Morph, size: Any, on
 
 
 def test_one_scale_shows_shapes_as_large_as_they_are_and_the_other_way_equally_large(flipping: Morph) -> None:
-    real = np.ptp(flipping.at(film(flipping, frames=9).times), axis=1)
-    one, each = (np.ptp(film(flipping, frames=9, one_scale=s).shapes, axis=1) for s in (True, False))
+    real = np.ptp(flipping.at(record(flipping, frames=9).times), axis=1)
+    one, each = (np.ptp(record(flipping, frames=9, one_scale=s).shapes, axis=1) for s in (True, False))
     np.testing.assert_allclose(one / real, one[0, 0] / real[0, 0])
     np.testing.assert_allclose(each.max(axis=1), each.max())
 
 
 def test_up_in_the_plane_is_up_on_the_canvas(plain: Morph) -> None:
-    shown = film(plain, frames=2)
+    shown = record(plain, frames=2)
     highest = plain.source.points[:, 1].argmax()
     assert shown.shapes[0, highest, 1] == shown.shapes[0, :, 1].min()
 
@@ -73,7 +74,7 @@ def test_up_in_the_plane_is_up_on_the_canvas(plain: Morph) -> None:
 def test_triangles_keep_their_rows_and_a_flip_changes_one_corner_in_each_of_two(flipping: Morph) -> None:
     times = [event.time for event in flipping.events]
     assert len(times) > 100
-    shown = film(flipping, frames=4000, ease=False)
+    shown = record(flipping, frames=4000, ease=False)
     one_flip = 0
     for (before, after), flips in zip(pairwise(shown.triangles), np.diff(shown.flips), strict=True):
         changes = (before != after).sum(axis=1)
@@ -86,7 +87,7 @@ def test_triangles_keep_their_rows_and_a_flip_changes_one_corner_in_each_of_two(
 
 
 def test_triangles_are_those_in_force(flipping: Morph) -> None:
-    shown = film(flipping, frames=30)
+    shown = record(flipping, frames=30)
     for t, triangles in zip(shown.times, shown.triangles, strict=True):
         expected = flipping.triangles_at(float(t))
         assert (np.sort(triangles, axis=1) == np.sort(expected, axis=1)).all()
@@ -95,7 +96,7 @@ def test_triangles_are_those_in_force(flipping: Morph) -> None:
 def test_triangles_have_the_colours_of_their_identity_and_shapes_go_from_the_sources_to_the_targets(
     plain: Morph,
 ) -> None:
-    shown = film(plain, frames=3)
+    shown = record(plain, frames=3)
     np.testing.assert_array_equal(shown.colors, np.rint(255 * identity_colors(plain.source)[:, :3]))
     ends = [np.rint(255 * np.array(to_rgb(color))).tolist() for color in (SOURCE, TARGET)]
     assert [shown.tints[0].tolist(), shown.tints[-1].tolist()] == ends
@@ -103,7 +104,7 @@ def test_triangles_have_the_colours_of_their_identity_and_shapes_go_from_the_sou
 
 def test_outlines_are_light_on_dark_backgrounds(plain: Morph) -> None:
     for background, light in (("white", False), ("#fff7e0", False), ("black", True), ("#102040", True)):
-        assert (film(plain, frames=2, background=background).ink[0] > 128) is light
+        assert (record(plain, frames=2, background=background).ink[0] > 128) is light
 
 
 @pytest.mark.parametrize(
@@ -133,14 +134,14 @@ def test_an_option_that_is_none_is_named_with_what_was_expected(
     plain: Morph, option: str, value: Any, expected: str
 ) -> None:
     with pytest.raises(ValueError, match=rf"^{option} is .*, expected .*{expected}"):
-        film(plain, **{option: value})
+        record(plain, **{option: value})
 
 
 def test_only_a_morph_has_a_film(plain: Morph) -> None:
     with pytest.raises(ValueError, match=r"m is <class .*ndarray.*>, expected a Morph"):
-        film(plain.frames(3))  # type: ignore[arg-type]
+        record(plain.frames(3))  # type: ignore[arg-type]
 
 
 def test_one_triangle_is_enough() -> None:
-    shown: Film = film(morph([[0, 0], [4, 0], [0, 3]], [[0, 0], [1, 0], [1, 1]]), frames=3, size=64)
+    shown: Film = record(morph([[0, 0], [4, 0], [0, 3]], [[0, 0], [1, 0], [1, 1]]), frames=3, size=64)
     assert shown.shapes.shape == (3, 3, 2) and shown.triangles.shape == (3, 1, 3)

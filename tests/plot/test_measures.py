@@ -11,8 +11,8 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from tween import Morph, area_matrix, area_rank, gallery, morph, triangulate
-from tween.plot.measures import draw_area_matrix, draw_singular_values, draw_vertex_sums, draw_winding
-from tween.plot.shapes import FAILURE, INK
+from tween.colors import FAILURE, INK
+from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def labels(ax: Axes) -> list[str]:
     return sorted(text.get_text() for text in ax.texts)
 
 
-@pytest.mark.parametrize("draw", [draw_winding, draw_area_matrix, draw_singular_values, draw_vertex_sums])
+@pytest.mark.parametrize("draw", [draw_winding, draw_area_matrix, draw_singular_values, draw_angle_sums])
 def test_a_picture_goes_into_the_axes_given_or_the_current_ones(draw, ax: Axes) -> None:
     m = to_disk("ell")
     shape = m.source if draw is draw_winding else m
@@ -110,15 +110,15 @@ def test_the_singular_values_come_with_the_ranks(ax: Axes) -> None:
 
 
 def test_the_largest_sum_is_named_and_red_where_it_is_too_large(ax: Axes) -> None:
-    draw_vertex_sums(morph(*gallery.fan(), path="linear"), ax)
+    draw_angle_sums(morph(*gallery.fan(), path="linear"), ax)
     (text,) = ax.texts
     assert text.get_text().startswith("vertex 0: 2.") and text.get_color() == FAILURE
-    safe = draw_vertex_sums(to_disk("ess"), Figure().add_subplot())
+    safe = draw_angle_sums(to_disk("ess"), Figure().add_subplot())
     assert safe.texts[0].get_color() == INK
 
 
 def test_red_shows_only_beyond_the_line_of_two_pi(ax: Axes) -> None:
-    draw_vertex_sums(morph(*gallery.fan(), path="linear"), ax)
+    draw_angle_sums(morph(*gallery.fan(), path="linear"), ax)
     canvas = FigureCanvasAgg(ax.figure)
     canvas.draw()
     drawn = np.asarray(canvas.buffer_rgba())[..., :3].astype(int)

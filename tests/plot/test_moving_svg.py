@@ -12,11 +12,11 @@ import pytest
 from PIL import Image
 
 from tween import Morph, morph
+from tween.choices import STYLES
 from tween.gallery import pair
-from tween.plot.film import film
+from tween.plot.film import record
 from tween.plot.moving_svg import player, svg
 
-STYLES = ("triangles", "outline", "fill")
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", "chrome"))), None)
 QUIET = (
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking"
@@ -58,7 +58,7 @@ def polygon(path: str) -> np.ndarray:
 
 @pytest.mark.parametrize("style", STYLES)
 def test_an_svg_holds_every_shape_to_a_part_in_ten_thousand(m: Morph, style) -> None:
-    shown = film(m, frames=7, style=style)
+    shown = record(m, frames=7, style=style)
     root = ET.fromstring(svg(shown))
     animations = [a for a in root.iter(f"{SVG}animate") if a.get("attributeName") == "d"]
     assert len(animations) == 1 + (0 if style == "outline" else len(m.source) - 2)
@@ -76,7 +76,7 @@ def test_an_svg_holds_every_shape_to_a_part_in_ten_thousand(m: Morph, style) -> 
 @pytest.mark.parametrize("there_and_back", [True, False])
 @pytest.mark.parametrize("hold", [0.0, 0.4])
 def test_an_svg_keeps_time(m: Morph, there_and_back: bool, hold: float) -> None:
-    shown = film(m, frames=7, fps=10, style="fill", hold=hold, there_and_back=there_and_back)
+    shown = record(m, frames=7, fps=10, style="fill", hold=hold, there_and_back=there_and_back)
     for animation in ET.fromstring(svg(shown)).iter(f"{SVG}animate"):
         times = [float(time) for time in animation.get("keyTimes").split(";")]
         assert float(animation.get("dur").rstrip("s")) == pytest.approx(shown.seconds.sum())
@@ -85,23 +85,23 @@ def test_an_svg_keeps_time(m: Morph, there_and_back: bool, hold: float) -> None:
 
 
 def test_an_svg_of_a_hundred_vertices_and_sixty_frames_stays_small(m: Morph) -> None:
-    assert len(svg(film(m))) < 700_000
-    assert len(svg(film(m, style="outline"))) < 120_000
-    assert len(player(film(m))) < 120_000
+    assert len(svg(record(m))) < 700_000
+    assert len(svg(record(m, style="outline"))) < 120_000
+    assert len(player(record(m))) < 120_000
 
 
 @pytest.mark.parametrize("write", [svg, player])
 def test_the_same_film_gives_the_same_text_and_asks_nobody_for_more(m: Morph, write) -> None:
-    shown = film(m, frames=5)
+    shown = record(m, frames=5)
     text = write(shown)
-    assert text == write(film(m, frames=5))
+    assert text == write(record(m, frames=5))
     assert set(re.findall(r"https?://[^\s\"'<]+", text)) == {"http://www.w3.org/2000/svg"}
     assert not re.search(r"\b(src|href|import|fetch)\b", text)
 
 
 @pytest.mark.parametrize("style", STYLES)
 def test_a_browser_plays_an_svg(m: Morph, browse, tmp_path: Path, style) -> None:
-    text = svg(film(m, frames=10, fps=5, size=200, hold=0, style=style))
+    text = svg(record(m, frames=10, fps=5, size=200, hold=0, style=style))
     pictures = []
     for milliseconds in (500, 1500):
         file = tmp_path / f"{milliseconds}.png"
@@ -120,7 +120,7 @@ def clock(page: str) -> tuple[float, str]:
 
 @pytest.mark.parametrize("style", ["outline", "fill"])
 def test_a_browser_plays_a_page(m: Morph, browse, style) -> None:
-    text = TIMER + player(film(m, frames=10, fps=5, hold=0.2, ease=False, style=style))
+    text = TIMER + player(record(m, frames=10, fps=5, hold=0.2, ease=False, style=style))
     early, late = (browse("morph.html", text, milliseconds) for milliseconds in (700, 1500))
     assert 0 < clock(early)[0] < clock(late)[0] < 1
     outlines = [re.search(r'class="outline".*? d="([^"]*)"', page)[1] for page in (early, late)]
@@ -128,7 +128,7 @@ def test_a_browser_plays_a_page(m: Morph, browse, style) -> None:
 
 
 def test_a_page_plays_there_and_back_again_and_again(m: Morph, browse) -> None:
-    text = TIMER + player(film(m, frames=10, fps=5, hold=0.2, ease=False, style="outline"))
+    text = TIMER + player(record(m, frames=10, fps=5, hold=0.2, ease=False, style="outline"))
     times = [clock(browse("morph.html", text, milliseconds))[0] for milliseconds in (2100, 3400, 5400)]
     assert times[0] == 1  # at rest
     assert 0.05 < times[1] < 0.95  # on the way back, until 4000
@@ -136,7 +136,7 @@ def test_a_page_plays_there_and_back_again_and_again(m: Morph, browse) -> None:
 
 
 def test_a_page_can_be_paused_and_scrubbed(m: Morph, browse) -> None:
-    shown = film(m, frames=11, fps=5, hold=0.2, ease=False)
+    shown = record(m, frames=11, fps=5, hold=0.2, ease=False)
     text = TIMER + player(shown)
     click = "<script>document.getElementById('play').click();</script>"
     assert clock(browse("paused.html", text + click, 1500)) == (0, "0 of 212 flips")

@@ -8,14 +8,14 @@ import pytest
 from tween import Morph, morph, triangulate
 from tween.gallery import curve, pair
 from tween.plot import pixels
-from tween.plot.film import OPACITY, Film, film
+from tween.plot.film import OPACITY, Film, record
 from tween.plot.pixels import picture
 from tween.plot.shapes import winding_number
 
 
 def film_of(name: str, **options) -> Film:
     T = triangulate(curve(name))
-    return film(morph(T, T.on_disk()), frames=3, **options)
+    return record(morph(T, T.on_disk()), frames=3, **options)
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_the_corners_of_the_canvas_keep_the_background_and_the_outline_is_there(
 
 def test_flips_on_the_way_are_drawn() -> None:
     m: Morph = morph(*pair("comb_to_winding"), strategy="paper")
-    shown = film(m, frames=8, size=100)
+    shown = record(m, frames=8, size=100)
     kept = replace(shown, triangles=np.broadcast_to(shown.triangles[0], shown.triangles.shape))
     assert picture(shown, 0).tobytes() == picture(kept, 0).tobytes()
     assert picture(shown, 7).tobytes() != picture(kept, 7).tobytes()

@@ -95,13 +95,13 @@ class Curve:
     def __init__(self, points: ArrayLike) -> None:
         p = _validated(points)
         turning = turning_number(p)
-        self._reversed = turning < 0
-        self._turning_number = abs(turning)
-        self._origin = np.arange(len(p))
-        if self._reversed:
-            self._origin = -self._origin % len(p)
-        self._points = _frozen(p[self._origin])
-        _frozen(self._origin)
+        origin = np.arange(len(p)) if turning >= 0 else -np.arange(len(p)) % len(p)
+        self._hold(p[origin], abs(turning), turning < 0, origin)
+
+    def _hold(self, points: NDArray[np.float64], turning: int, was_reversed: bool, origin: NDArray[np.intp]) -> None:
+        """What a curve is, once and for all."""
+        self._points, self._origin = _frozen(points), _frozen(origin)
+        self._turning_number, self._reversed = turning, was_reversed
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -177,9 +177,9 @@ class Curve:
                 "the curve is so thin that rounding the midpoints of its edges turns it over: its turning number "
                 f"{self.turning_number} became {-curve.turning_number if curve._reversed else curve.turning_number}"
             )
-        curve._origin = _frozen(origin)
-        curve._reversed = self._reversed
-        return curve
+        grown = Curve.__new__(Curve)
+        grown._hold(curve.points, curve.turning_number, self._reversed, origin)
+        return grown
 
     def __len__(self) -> int:
         return len(self._points)

@@ -68,7 +68,7 @@ def rooted(T: Triangulation, root: int) -> RootedTree:
     boundary = T.twin[root] < 0
     candidates = np.flatnonzero(boundary if boundary.any() else ~boundary)
     slot = candidates[np.argmin(T.triangles[root, candidates])]
-    return RootedTree(*_hang(T.twin, 3 * root + slot))
+    return RootedTree(*_walk(T.twin, 3 * root + slot))
 
 
 def hops(T: Triangulation, start: int) -> NDArray[np.int64]:
@@ -86,7 +86,30 @@ def hops(T: Triangulation, start: int) -> NDArray[np.int64]:
     """
     if not 0 <= start < len(T.triangles):
         raise ValueError(f"start is triangle {start}, expected 0 to {len(T.triangles) - 1}")
-    return _hang(T.twin, 3 * start)[2]
+    return _walk(T.twin, 3 * start)[2]
+
+
+def along_longest_path(T: Triangulation) -> NDArray[np.int64]:
+    """Count the hops of every triangle from an end of a longest path of the dual tree.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    ndarray of int, shape (n-2,)
+        From the one of the two ends whose sorted corners are smaller.
+
+    Examples
+    --------
+    >>> hexagon = [[2, 0], [1, 2], [-1, 2], [-2, 0], [-1, -2], [1, -2]]
+    >>> along_longest_path(Triangulation(hexagon, [[0, 1, 2], [0, 2, 4], [2, 3, 4], [0, 4, 5]])).tolist()
+    [0, 1, 2, 2]
+    """
+    one_end = int(np.argmax(hops(T, 0)))
+    other_end = int(np.argmax(hops(T, one_end)))
+    return hops(T, smallest_triangle(T, np.array([one_end, other_end])))
 
 
 def tree_center(T: Triangulation) -> int:
@@ -166,7 +189,7 @@ def smallest_triangle(T: Triangulation, numbers: NDArray[np.intp]) -> int:
 
 
 @njit(cache=True)
-def _hang(twin, base_of_root):
+def _walk(twin, base_of_root):
     """Walk the tree breadth first: (order, base, depth)."""
     m = len(twin)
     order, base, depth = np.empty(m, np.int64), np.full(m, -1, np.int64), np.zeros(m, np.int64)

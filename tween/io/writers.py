@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tween.colors import EDGE, INK, SOURCE, as_hex
 from tween.io.svg_path import polygon
 
 _Floats = NDArray[np.float64]
 
 _PIXELS = 640, 200  # the longer side of one shape, and of each of several
-_FILL, _INK, _EDGE = "#0072B2", "#262626", "#737373"
+_FILL, _INK, _EDGE = as_hex(SOURCE), as_hex(INK), as_hex(EDGE)
 
 
 def npz_bytes(**arrays: NDArray[Any]) -> bytes:

@@ -170,7 +170,7 @@ def frame_variance(A: NDArray[np.float64]) -> float:
     return float(np.var(np.linalg.norm(np.diff(A, axis=1), axis=0)))
 
 
-def vertex_sums(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
+def angle_sums(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
     """Compute the sum of the angles of the triangles at each vertex.
 
     Parameters
@@ -192,7 +192,7 @@ def vertex_sums(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
     --------
     >>> from tween import morph, triangulate
     >>> T = triangulate([[0, 0], [1, 0], [1, 1], [0, 1]])
-    >>> (vertex_sums(morph(T, T.on_disk()), np.array([0.0, 1.0])) / np.pi).round(12).tolist()
+    >>> (angle_sums(morph(T, T.on_disk()), np.array([0.0, 1.0])) / np.pi).round(12).tolist()
     [[0.5, 0.5], [0.5, 0.5], [0.5, 0.5], [0.5, 0.5]]
     """
     shapes, stages = m.at(times), m.stage_at(times)

@@ -6,21 +6,21 @@ Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift``
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.errors import IncompatibleError
+from tween.choices import SHIFT_RULES, Shifts
+from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.incompatible.flip_sequence import count_crossings
 from tween.morphing.incompatible.pivots import pivot_shift, spine
 from tween.triangulating.costs import distortion
-from tween.triangulating.decomposition import decompose, triangulate
+from tween.triangulating.decomposition import decompose
+from tween.triangulating.flips import remesh
 from tween.triangulating.table import is_small
-
-Shifts = Literal["pivots", "all"] | int
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ def check_shifts(shifts: Shifts) -> None:
     ValueError
         For anything else.
     """
-    if shifts not in ("pivots", "all") and (isinstance(shifts, str) or int(shifts) != shifts):
+    if shifts not in SHIFT_RULES and (isinstance(shifts, str) or int(shifts) != shifts):
         raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
 
 
@@ -201,18 +201,34 @@ def equal_counts(source: Any, target: Any) -> tuple[Triangulation, Triangulation
     first, second : Triangulation
     first_origin, second_origin : ndarray of int, shape (n,)
         Which vertex of the input each vertex is; -1 where it was inserted.
+
+    Raises
+    ------
+    CurveError
+        Where one is no curve.
+    NotSelfOverlappingError
+        Where a curve bounds no immersed disk; the message says which of the two, and why.
     """
-    count = max(len(as_curve(source)), len(as_curve(target)))
+    curves = as_curve(source), as_curve(target)
+    count = max(map(len, curves))
     shapes, origins = [], []
-    for shape in (source, target):
-        curve = as_curve(shape)
+    for name, shape, curve in zip(("source", "target"), (source, target), curves, strict=True):
         rows = np.arange(len(curve)) if isinstance(shape, (Curve, Triangulation)) else curve.origin
         if len(curve) < count:
-            shape = Curve(curve.points).insert_vertices(count)
-            rows = np.where(shape.origin < 0, -1, rows[shape.origin])
-        shapes.append(triangulate(shape))
+            curve = Curve(curve.points).insert_vertices(count)
+            rows = np.where(curve.origin < 0, -1, rows[curve.origin])
+        kept = isinstance(shape, Triangulation) and len(shape) == count
+        shapes.append(shape if kept else _triangulated(name, curve))
         origins.append(rows.astype(np.int64))
     return shapes[0], shapes[1], origins[0], origins[1]
+
+
+def _triangulated(name: str, curve: Curve) -> Triangulation:
+    """The constrained Delaunay triangulation of the source, or of the target; or why there is none."""
+    answer = decompose(curve)
+    if not answer:
+        raise NotSelfOverlappingError(f"the {name} bounds no immersed disk: {answer.reason}")
+    return remesh(answer.arbitrary())
 
 
 def common(first: Triangulation, second: Triangulation, most: int | None = None) -> Triangulation | None:

@@ -66,10 +66,10 @@ class Morph:
         self,
         motion: Motion,
         alignment: Alignment,
-        backwards: bool,
-        shift: int,
         flows: tuple[float, float] | None = None,
         proof: str = "",
+        backwards: bool = False,
+        shift: int = 0,
     ) -> None:
         self.proof = proof
         self.alignment = alignment
@@ -177,6 +177,23 @@ class Morph:
         block = max(1, _AT_ONCE // len(self.source))
         for first in range(0, k, block):
             yield self.at(times[first : first + block])
+
+    def reversed(self) -> "Morph":
+        """Run the same morph from its target to its source.
+
+        Returns
+        -------
+        Morph
+            In the numbers that the target had before the two were matched.
+        """
+        return Morph(
+            self._motion,
+            self.alignment.exchanged(),
+            None if self.u is None or self.v is None else (self.v, self.u),
+            self.proof,
+            not self._backwards,
+            (self._shift + self.alignment.shift) % len(self.source),
+        )
 
     def triangles_at(self, t: float) -> NDArray[np.int64]:
         """Return the triangles in force at a time.

@@ -1,31 +1,34 @@
 """Morphs between any two immersed disks: one call, from curves or triangulations to moving shapes.
 
-Everything is computed from the one of the two shapes whose points come first in the order of bytes to
-the other, and turned around where the caller wants it the other way: so a morph is symmetric, however
-ties are broken on the way.
+Both shapes are validated and triangulated once, at the door.  Then everything is computed from the one whose points
+come first in the order of bytes to the other, and reversed where the caller wants it the other way: so a morph is
+symmetric, however ties are broken inside.
 """
 
-from typing import Any, Literal
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.errors import IncompatibleError, NotSelfOverlappingError
-from tween.geometry.curve import Curve, as_curve
+from tween.choices import ORDERS, PATHS, STRATEGIES, Order, Path, Root, Shifts, Strategy
+from tween.errors import IncompatibleError
+from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import Alignment, Shifts, check_shifts, common, equal_counts, least_distorted, match
+from tween.morphing.alignment import (
+    Alignment,
+    check_shifts,
+    common,
+    equal_counts,
+    least_distorted,
+    match,
+)
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import PATHS, Path
 from tween.morphing.incompatible.flip_sequence import FlipSequence, crossings_by_shift, flip_sequence
-from tween.morphing.incompatible.flow import Event, Flow, Order, Through, shared_edge
+from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
 from tween.morphing.morph import Morph
 from tween.triangulating.compatibility import compatible_shift, match_rows
-from tween.triangulating.decomposition import decompose
 from tween.triangulating.flips import flip_in_place
-
-Root = Literal["disk-center", "tree-center"] | int
-Strategy = Literal["auto", "paper", "common"]
 
 # What "auto" takes upon itself in search of a common triangulation, some seconds each.
 _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
@@ -35,16 +38,21 @@ _BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between
 _BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex add up to less than 2 pi"
 
 
-class _Compatible:
-    """One leg, no flips, as a `Motion`."""
+class _Choices(NamedTuple):
+    """How a morph moves; `root_of_target` says that a root given by number is a triangle of the target."""
 
-    def __init__(self, leg: Leg) -> None:
-        self._leg = leg
-        self.stages = [(0.0, leg.source.triangles)]
-        self.events: list[Event] = []
+    path: Path
+    root: Root
+    guarantee: bool
+    order: Order = "partial"
+    root_of_target: bool = False
 
-    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._leg.at(t)
+    @property
+    def proof(self) -> str:
+        """Why every shape bounds an immersed disk, see `angle_budgets`; a flip changes no sum of angles."""
+        if self.path == "angle":
+            return _BY_ANGLES
+        return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
 
 
 def morph(
@@ -117,50 +125,98 @@ def morph(
     Mukherjee and Gopi, Sections 5 and 6.
     """
     _check_options(path, strategy, order, shifts)
-    _check_disks(source, target)
-    swapped = _key(source) > _key(target)
-    first, second = (target, source) if swapped else (source, target)
-    turned = shifts if isinstance(shifts, str) else int(-shifts if swapped else shifts)
-    alignment = _align_for(strategy, first, second, turned)
-    own = alignment.exchanged() if swapped else alignment
-    shift = alignment.shift if swapped else 0
-    if alignment.crossings == 0:
-        leg = _straight(alignment, own, shift, path, root, guarantee)
-        return Morph(_Compatible(leg), own, swapped, shift, proof=_proof(path, guarantee))
-    return _gradual_morph(alignment, own, swapped, shift, path, root, order, guarantee)
+    first, second, *origins = equal_counts(source, target)
+    given = isinstance(source, Triangulation) or isinstance(target, Triangulation)
+    choices = _Choices(path, root, guarantee, order)
+    if _key(first, origins[0]) > _key(second, origins[1]):
+        turned = shifts if isinstance(shifts, str) else -int(shifts)
+        alignment = _aligned(strategy, second, first, origins[::-1], turned, given)
+        return _between(alignment, choices._replace(root_of_target=True)).reversed()
+    return _between(_aligned(strategy, first, second, origins, shifts, given), choices)
 
 
-def _check_options(path: str, strategy: str, order: str, shifts: Shifts) -> None:
+def morph_compatible(
+    source: Triangulation,
+    target: Triangulation,
+    path: Path = "slide",
+    root: Root = "disk-center",
+    guarantee: bool = False,
+) -> Morph:
+    """Morph between two triangulations with the same triangles, vertex i to vertex i.
+
+    Parameters
+    ----------
+    source, target : Triangulation
+        With the same triangles, in any order.
+    path, root, guarantee
+        As for `morph`.
+
+    Returns
+    -------
+    Morph
+
+    Raises
+    ------
+    IncompatibleError
+        Where some triangle of one is no triangle of the other.
+
+    Notes
+    -----
+    What `morph` gives for these triangulations, without the search for a correspondence.  O(n log n).
+
+    Examples
+    --------
+    >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+    >>> morph_compatible(T, T.moved(2 * T.points))(0.5)[2].tolist()
+    [1.5, 1.5]
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 5.
+    """
+    _check_options(path)
+    if not np.array_equal(source.canonical, target.canonical):
+        raise IncompatibleError("the two triangulations have different triangles; tween.morph finds a way between them")
+    every = np.arange(len(source))
+    choices = _Choices(path, root, guarantee)
+    if _key(source, every) > _key(target, every):
+        return _between(
+            Alignment(target, source, 0, every, every, None, 0), choices._replace(root_of_target=True)
+        ).reversed()
+    return _between(Alignment(source, target, 0, every, every, None, 0), choices)
+
+
+def _check_options(path: str, strategy: str = "auto", order: str = "partial", shifts: Shifts = "pivots") -> None:
     check_shifts(shifts)
     for name, value, allowed in (
         ("path", path, PATHS),
-        ("strategy", strategy, ("auto", "paper", "common")),
-        ("order", order, ("partial", "sequential")),
+        ("strategy", strategy, STRATEGIES),
+        ("order", order, ORDERS),
     ):
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _check_disks(source: Any, target: Any) -> None:
-    """Name the one of the two that bounds no disk, and why."""
-    for name, shape in (("source", source), ("target", target)):
-        if not isinstance(shape, Triangulation):
-            answer = decompose(shape)
-            if not answer:
-                raise NotSelfOverlappingError(f"the {name} bounds no immersed disk: {answer.reason}")
+def _key(T: Triangulation, origin: NDArray[np.int64]) -> tuple[int, bytes, bytes]:
+    """What orders two shapes: the points that were given, then the triangles."""
+    points = T.points[origin >= 0]
+    return len(points), points.astype("<f8").tobytes(), T.canonical.tobytes()
 
 
-def _key(shape: Any) -> tuple[int, bytes, bytes]:
-    points = as_curve(shape).points
-    triangles = shape.canonical.tobytes() if isinstance(shape, Triangulation) else b""
-    return len(points), points.astype("<f8").tobytes(), triangles
+# Correspondence
 
 
-def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> Alignment:
-    keep = isinstance(source, Triangulation) or isinstance(target, Triangulation)
-    first, second, *origins = equal_counts(source, target)
-    if strategy == "common" or (strategy == "auto" and not keep):
-        found = _align_commonly(first, second, shifts, everywhere=strategy == "common")
+def _aligned(
+    strategy: Strategy,
+    first: Triangulation,
+    second: Triangulation,
+    origins: list[NDArray[np.int64]],
+    shifts: Shifts,
+    given: bool,
+) -> Alignment:
+    """Match two triangulations; where they were given, not made from curves, "auto" keeps them."""
+    if strategy == "common" or (strategy == "auto" and not given):
+        found = _common_shift(first, second, shifts, everywhere=strategy == "common")
         if found is not None:
             shift, shared, pivot = found
             same = Triangulation(second.points, (shared.triangles + shift) % len(first))
@@ -174,7 +230,7 @@ def _align_for(strategy: Strategy, source: Any, target: Any, shifts: Shifts) -> 
     return match(first, second, *_flipping_shift(first, second, shifts), *origins)
 
 
-def _align_commonly(
+def _common_shift(
     first: Triangulation, second: Triangulation, shifts: Shifts, everywhere: bool
 ) -> tuple[int, Triangulation, int | None] | None:
     """The (shift, triangulation, pivot) of a common triangulation, None where none was found.
@@ -204,53 +260,64 @@ def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts)
     return int(np.argmin(crossings_by_shift(first, second, np.arange(len(first))))), None
 
 
-def _straight(alignment: Alignment, own: Alignment, shift: int, path: Path, root: Root, guarantee: bool) -> Leg:
+# Motion
+
+
+class _Compatible:
+    """One leg, no flips, as a `Motion`."""
+
+    def __init__(self, leg: Leg) -> None:
+        self._leg = leg
+        self.stages = [(0.0, leg.source.triangles)]
+        self.events: list[Event] = []
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self._leg.at(t)
+
+
+def _between(alignment: Alignment, choices: _Choices) -> Morph:
+    """Move straight where the triangles are the same, and through flips where they are not."""
+    if alignment.crossings == 0:
+        return Morph(_Compatible(_straight(alignment, choices)), alignment, proof=choices.proof)
+    return _gradual(alignment, choices)
+
+
+def _straight(alignment: Alignment, choices: _Choices) -> Leg:
     first = alignment.source
     second = first.moved(alignment.target.points)
-    row = _row(root, own.source, shift, first.triangles)
-    return Leg(first, second.points, path, root_triangle(row, first, second), guarantee)
+    root = choices.root
+    if not isinstance(root, str) and choices.root_of_target:
+        root = _row(root_triangle(root, alignment.target), alignment.target.triangles, first.triangles)
+    return Leg(first, second.points, choices.path, root_triangle(root, first, second), choices.guarantee)
 
 
-def _row(root: Root, source: Triangulation, shift: int, triangles: NDArray[np.int64]) -> Root:
-    """A root given by its number in the source, by its row in the same triangles numbered otherwise."""
-    if isinstance(root, str):
-        return root
-    row = root_triangle(root, source)
-    wanted = (source.triangles - shift) % len(source)
-    return int(np.flatnonzero(match_rows(wanted, triangles) == row)[0])
-
-
-def _gradual_morph(
-    alignment: Alignment,
-    own: Alignment,
-    swapped: bool,
-    shift: int,
-    path: Path,
-    root: Root,
-    order: Order,
-    guarantee: bool,
-) -> Morph:
-    """Run both flows, and take the way through the one that is done with its flips first."""
+def _gradual(alignment: Alignment, choices: _Choices) -> Morph:
+    """Run both flows, and pass through the end of the one that is done with its flips first."""
+    path, order, guarantee = choices.path, choices.order, choices.guarantee
     shapes = alignment.source, alignment.target
     sequences = flip_sequence(*shapes), flip_sequence(*shapes[::-1])
-    roots = [root, root]
-    if not isinstance(root, str):
-        mine, other = (1, 0) if swapped else (0, 1)
-        roots[mine] = root_triangle(root, own.source)
-        flipped = _after(shapes[mine], sequences[mine])
-        roots[other] = int(np.flatnonzero(match_rows(flipped, shapes[other].triangles) == roots[mine])[0])
+    roots = _flow_roots(shapes, sequences, choices)
     flows = [Flow(shapes[i], sequences[i], path, roots[i], order, guarantee) for i in (0, 1)]
-    by = 1 if flows[1].end <= flows[0].end else 0
-    motion = Through(shapes[1 - by], flows[by], path, roots[1 - by], guarantee)
-    u, v = (flow.end for flow in (reversed(flows) if swapped else flows))
-    return Morph(motion, own, swapped != (by == 0), shift, (u, v), _proof(path, guarantee))
+    through = 1 if flows[1].end <= flows[0].end else 0
+    motion = Through(shapes[1 - through], flows[through], path, roots[1 - through], guarantee)
+    return Morph(motion, alignment, (flows[0].end, flows[1].end), choices.proof, backwards=through == 0)
 
 
-def _proof(path: Path, guarantee: bool) -> str:
-    """Why every shape bounds an immersed disk, see `angle_budgets`; a flip changes no sum of angles."""
-    if path == "angle":
-        return _BY_ANGLES
-    return _BY_BUDGETS if guarantee and path != "area" else ""
+def _flow_roots(
+    shapes: tuple[Triangulation, Triangulation], sequences: tuple[FlipSequence, FlipSequence], choices: _Choices
+) -> list[Root]:
+    """The root of each flow; a triangle given by number is followed through the flips to the other shape."""
+    if isinstance(choices.root, str):
+        return [choices.root, choices.root]
+    here = int(choices.root_of_target)
+    row = root_triangle(choices.root, shapes[here])
+    there = _row(row, _after(shapes[here], sequences[here]), shapes[1 - here].triangles)
+    return [there, row] if choices.root_of_target else [row, there]
+
+
+def _row(row: int, triangles: NDArray[np.int64], others: NDArray[np.int64]) -> int:
+    """Where a row of triangles stands among the same triangles in another order."""
+    return int(np.flatnonzero(match_rows(triangles, others) == row)[0])
 
 
 def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:

@@ -1,16 +1,9 @@
 """Figures and animations, as if drawn by one hand; only here matplotlib is imported."""
 
+from tween.colors import EDGE, FAILURE, INK, PIVOT, RANDOM, SOURCE, TARGET, TREE
 from tween.plot.animation import save_animation
-from tween.plot.measures import draw_area_matrix, draw_singular_values, draw_vertex_sums, draw_winding
+from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
 from tween.plot.shapes import (
-    EDGE,
-    FAILURE,
-    INK,
-    PIVOT,
-    RANDOM,
-    SOURCE,
-    TARGET,
-    TREE,
     draw_dual_tree,
     draw_filmstrip,
     draw_shape,
@@ -31,6 +24,7 @@ __all__ = [
     "SOURCE",
     "TARGET",
     "TREE",
+    "draw_angle_sums",
     "draw_area_matrix",
     "draw_dual_tree",
     "draw_filmstrip",
@@ -38,7 +32,6 @@ __all__ = [
     "draw_singular_values",
     "draw_spine",
     "draw_triangulation",
-    "draw_vertex_sums",
     "draw_winding",
     "identity_colors",
     "regions",

@@ -24,11 +24,12 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from tween.choices import Style
 from tween.errors import FileError
 from tween.io import whole_files
 from tween.morphing.morph import Morph
 from tween.plot import moving_svg
-from tween.plot.film import Film, Style, film
+from tween.plot.film import Film, record
 from tween.plot.pixels import picture
 
 _GIF_FASTEST = 50  # frames a second; browsers slow down a GIF that asks for more
@@ -100,7 +101,7 @@ def save_animation(
     ...         print(file.name, image.n_frames)
     ess.gif 9
     """
-    shown = film(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale)
+    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale)
     check_format(path, fps)
     return whole_files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
 

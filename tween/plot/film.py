@@ -10,24 +10,23 @@ Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``t`` time of the mo
 
 from dataclasses import dataclass
 from math import isfinite
-from typing import Any, Literal, get_args
+from typing import Any
 
 import numpy as np
 from matplotlib.colors import is_color_like, to_rgb, to_rgba
 from numpy.typing import NDArray
 
+from tween.choices import SIZES, STYLES, Style
+from tween.colors import EDGE, INK, SOURCE, TARGET
 from tween.morphing.morph import Morph
-from tween.plot.shapes import EDGE, INK, SOURCE, TARGET, identity_colors
+from tween.plot.shapes import identity_colors
 
-Style = Literal["triangles", "outline", "fill"]
 Color = tuple[int, int, int]
 
-STYLES: tuple[str, ...] = get_args(Style)
 OPACITY = 0.45
 """Of one layer of a disk."""
 
 _MARGIN = 0.04  # of the longer side, on every side
-SIZES = (16, 2048)
 """Pixels of a side, least and most."""
 
 _SLOWEST, _FASTEST = 0.1, 100  # frames a second
@@ -38,7 +37,7 @@ _BRIGHTNESS = (0.2126, 0.7152, 0.0722)  # of red, green and blue
 
 @dataclass(frozen=True, eq=False)
 class Film:
-    """A morph on a canvas; made by `film`.
+    """A morph on a canvas; made by `record`.
 
     Attributes
     ----------
@@ -99,7 +98,7 @@ class Film:
         return seconds
 
 
-def film(
+def record(
     m: Morph,
     frames: int = 60,
     fps: float = 25,
@@ -147,7 +146,7 @@ def film(
     --------
     >>> from tween import gallery, morph, triangulate
     >>> T = triangulate(gallery.curve("ess"))
-    >>> shown = film(morph(T, T.on_disk()), frames=10, size=200)
+    >>> shown = record(morph(T, T.on_disk()), frames=10, size=200)
     >>> len(shown.times), len(shown.numbers), max(shown.width, shown.height)
     (10, 19, 200)
     """

@@ -16,11 +16,12 @@ from matplotlib.path import Path
 from numpy.typing import ArrayLike, NDArray
 from shapely.ops import polylabel
 
+from tween.colors import FAILURE, INK, SOURCE
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
-from tween.measuring.metrics import area_matrix, rank_of, singular_values, vertex_sums
+from tween.measuring.metrics import angle_sums, area_matrix, rank_of, singular_values
 from tween.morphing.morph import Morph
-from tween.plot.shapes import FAILURE, INK, SOURCE, regions
+from tween.plot.shapes import regions
 
 _LABEL_ROOM, _LEAST_ROOM = 0.022, 0.006  # radius that a number needs, and the first of its kind, in picture sizes
 _SMALLEST = 1e-4  # area that has its own shade, as a share of the largest
@@ -199,7 +200,7 @@ def draw_singular_values(
     return ax
 
 
-def draw_vertex_sums(m: Morph, ax: Axes | None = None, frames: int = 200) -> Axes:
+def draw_angle_sums(m: Morph, ax: Axes | None = None, frames: int = 200) -> Axes:
     """Draw the sum of angles at every vertex over time, with the line of 2 pi that none may reach.
 
     Parameters
@@ -219,13 +220,13 @@ def draw_vertex_sums(m: Morph, ax: Axes | None = None, frames: int = 200) -> Axe
     >>> from matplotlib.figure import Figure
     >>> from tween import gallery, morph, triangulate
     >>> T = triangulate(gallery.curve("ess"))
-    >>> ax = draw_vertex_sums(morph(T, T.on_disk()), Figure().add_subplot())
+    >>> ax = draw_angle_sums(morph(T, T.on_disk()), Figure().add_subplot())
     >>> float(ax.get_ylim()[1]) > 2 * np.pi
     True
     """
     ax = plt.gca() if ax is None else ax
     times = np.unique([*np.linspace(0, 1, frames), *(event.time for event in m.events)])
-    sums = vertex_sums(m, times)
+    sums = angle_sums(m, times)
     v, k = (int(i[0]) for i in np.nonzero(sums > sums.max() - _TIE))  # the first of equals, however they are rounded
     top = 1.1 * max(2 * np.pi, float(sums.max()))
     lines = [np.stack([times, row], axis=1) for row in (*sums, sums[v])]

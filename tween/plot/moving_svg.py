@@ -34,9 +34,10 @@ def svg(film: Film) -> str:
 
     Examples
     --------
-    >>> from tween import film, gallery, morph, triangulate
+    >>> from tween import gallery, morph, triangulate
+    >>> from tween.plot.film import record
     >>> T = triangulate(gallery.curve("ess"))
-    >>> text = svg(film.film(morph(T, T.on_disk()), frames=5, style="fill"))
+    >>> text = svg(record(morph(T, T.on_disk()), frames=5, style="fill"))
     >>> len(T.triangles), text.count("<path"), text.count("<animate ")
     (92, 93, 94)
     """
@@ -68,9 +69,10 @@ def player(film: Film) -> str:
 
     Examples
     --------
-    >>> from tween import film, gallery, morph, triangulate
+    >>> from tween import gallery, morph, triangulate
+    >>> from tween.plot.film import record
     >>> T = triangulate(gallery.curve("ess"))
-    >>> "<script>" in player(film.film(morph(T, T.on_disk()), frames=5))
+    >>> "<script>" in player(record(morph(T, T.on_disk()), frames=5))
     True
     """
     outline, triangles = _polygons(film)

@@ -36,9 +36,10 @@ def picture(film: Film, k: int) -> Image.Image:
 
     Examples
     --------
-    >>> from tween import film, gallery, morph, triangulate
+    >>> from tween import gallery, morph, triangulate
+    >>> from tween.plot.film import record
     >>> T = triangulate(gallery.curve("ess"))
-    >>> picture(film.film(morph(T, T.on_disk()), size=(80, 60)), 0).size
+    >>> picture(record(morph(T, T.on_disk()), size=(80, 60)), 0).size
     (80, 60)
     """
     points, triangles = film.shapes[k], film.triangles[k]

@@ -19,13 +19,11 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from numpy.typing import ArrayLike, NDArray
 
+from tween.colors import EDGE, INK, PIVOT, SOURCE, TREE
 from tween.geometry.curve import Curve, as_curve
-from tween.geometry.dual_tree import hops, smallest_triangle
+from tween.geometry.dual_tree import along_longest_path
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.morph import Morph
-
-SOURCE, TARGET, TREE, PIVOT, RANDOM, FAILURE = "#0072B2", "#E69F00", "#009E73", "#AA3377", "0.55", "#D1261B"
-INK, EDGE = "0.15", "0.45"
 
 
 def use_style() -> None:
@@ -157,9 +155,7 @@ def identity_colors(T: Triangulation) -> NDArray[np.float64]:
     >>> identity_colors(Triangulation([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])).shape
     (1, 4)
     """
-    one_end = int(np.argmax(hops(T, 0)))
-    other_end = int(np.argmax(hops(T, one_end)))
-    along = hops(T, smallest_triangle(T, np.array([one_end, other_end])))
+    along = along_longest_path(T)
     return np.asarray(plt.get_cmap("turbo")(0.08 + 0.84 * along / max(1, along.max())))
 
 
@@ -231,7 +227,8 @@ def draw_spine(T: Triangulation, spine: NDArray[np.int64], ax: Axes | None = Non
 
     Examples
     --------
-    >>> from tween import gallery, spine, triangulate
+    >>> from tween import gallery, triangulate
+    >>> from tween.morphing.incompatible.pivots import spine
     >>> T = triangulate(gallery.curve("ell"))
     >>> ax = draw_spine(T, spine(T), pivot=0)
 

@@ -8,12 +8,12 @@ import numpy as np
 from tween import gallery, morph
 from tween.app.playground.footage import FRAMES, footage
 from tween.app.playground.hand_drawn import BOX
-from tween.measuring.metrics import vertex_sums
+from tween.measuring.metrics import angle_sums
 
 
 def test_the_largest_sum_of_angles_is_shown_with_its_vertex() -> None:
     m = morph(gallery.curve("three_lobes"), gallery.curve("spiral_2"), strategy="paper")
-    sums = vertex_sums(m, np.linspace(0, 1, FRAMES))
+    sums = angle_sums(m, np.linspace(0, 1, FRAMES))
     seen = footage(m)
     assert seen["sums"] == sums.max(axis=0).round(4).tolist()
     np.testing.assert_array_equal(sums[seen["worst"], np.arange(FRAMES)], sums.max(axis=0))

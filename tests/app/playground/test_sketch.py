@@ -10,9 +10,9 @@ from strokes import DISK, LOOP, circle, eight, traced
 from tween import gallery, verify
 from tween.app.playground.footage import FRAMES
 from tween.app.playground.sketch import KINDS, OPTIONS, TRIANGULATIONS, Sketch
+from tween.choices import PATHS
 from tween.errors import FileError
 from tween.io.read_write import read_curve, read_frames
-from tween.morphing.compatible.paths import PATHS
 
 
 @pytest.mark.parametrize("path", PATHS)

@@ -71,7 +71,7 @@ def alive() -> Any:
 
 
 def test_the_widget_starts_with_a_morph(alive: Any) -> None:
-    assert alive.shapes["source"]["ok"] and alive.film["valid"]
+    assert alive.shapes["source"]["ok"] and alive.footage["valid"]
     assert json.loads(json.dumps(alive.setup))["curves"][0][0] == "convex"
     assert alive.sketch.morph is not None
 
@@ -79,14 +79,14 @@ def test_the_widget_starts_with_a_morph(alive: Any) -> None:
 def test_a_stroke_is_answered(alive: Any) -> None:
     alive.source = {"stroke": eight().tolist()}
     assert alive.shapes["source"]["words"].startswith("Bounds no disk")
-    assert alive.film["frames"] == []
+    assert alive.footage["frames"] == []
     alive.set_trait("source", {"stroke": circle().tolist()})
-    assert alive.shapes["source"]["ok"] and alive.film["valid"]
+    assert alive.shapes["source"]["ok"] and alive.footage["valid"]
 
 
 def test_an_answer_is_sent_even_if_it_is_the_same(alive: Any) -> None:
     seen = []
-    alive.observe(lambda change: seen.append(change.new), names=["film", "file"])
+    alive.observe(lambda change: seen.append(change.new), names=["footage", "file"])
     alive.options = {"path": "nonsense", "asked": 1}
     alive.options = {"path": "nonsense", "asked": 2}
     alive.wish = {"kind": "exe", "asked": 1}
@@ -101,13 +101,13 @@ def test_verdicts_come_before_the_morph_and_nothing_is_computed_twice(
     seen: list[Any] = []
     move = alive.sketch.move
     monkeypatch.setattr(alive.sketch, "move", lambda options: (seen.append("move"), move(options))[1])
-    alive.observe(lambda change: seen.append(change.name), names=["shapes", "film"])
+    alive.observe(lambda change: seen.append(change.name), names=["shapes", "footage"])
     alive.source = {"name": "ess"}
     alive.options = {"path": "linear"}
     with alive.hold_trait_notifications():  # as one message from the browser does
         alive.source = {"name": "ell"}
         alive.options = {"path": "slide"}
-    assert seen == ["shapes", "move", "film", "move", "film", "shapes", "move", "film"]
+    assert seen == ["shapes", "move", "footage", "move", "footage", "shapes", "move", "footage"]
 
 
 def test_a_file_goes_to_the_current_folder(alive: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,10 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tween import Triangulation, certify, gallery, morph, remesh, triangulate
+from tween.choices import PATHS, Path
 from tween.morphing.compatible.angle_bounds import largest_angles
 from tween.morphing.compatible.angle_budgets import vertex_sums
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import PATHS, Path, corner_angles, third_vertices
+from tween.morphing.compatible.paths import corner_angles, third_vertices
 
 BOUNDED = [path for path in PATHS if path != "area"]
 every_path = pytest.mark.parametrize("path", BOUNDED)

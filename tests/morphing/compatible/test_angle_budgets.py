@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from tween import Triangulation, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate
+from tween.choices import PATHS
 from tween.errors import TriangulationError
 from tween.morphing.compatible.angle_budgets import proved_budgets
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import PATHS
 
 every_path = pytest.mark.parametrize("path", PATHS)
 TIMES = np.linspace(0, 1, 61)

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from strategies import disks
 
 from tween import Triangulation
+from tween.choices import PATHS
 from tween.gallery import random_disk
 from tween.geometry.dual_tree import disk_center, rooted, tree_center
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import PATHS, base_angles
+from tween.morphing.compatible.paths import base_angles
 
 TIMES = np.linspace(0, 1, 9)
 

@@ -21,10 +21,10 @@ from tween import (
     morph,
     triangulate,
 )
+from tween.choices import PATHS
 from tween.errors import IncompatibleError
 from tween.gallery import curve, letter
 from tween.geometry.predicates import orient2d
-from tween.morphing.compatible.paths import PATHS
 from tween.morphing.incompatible.flip_sequence import FlipSequence, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow
 

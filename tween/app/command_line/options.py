@@ -12,9 +12,7 @@ from importlib import metadata
 from math import inf
 from typing import Any, NoReturn
 
-PATHS = ("metric", "slide", "linear", "angle", "area")
-STYLES = ("triangles", "outline", "fill")
-SIZES = (16, 2048)
+from tween.choices import PATHS, ROOT_RULES, SHIFT_RULES, SIZES, STRATEGIES, STYLES
 
 _SHAPE = (
     "a .svg, .csv, .json, .geojson, .npz or .npy file; or gallery:NAME, letter:X, pair:NAME/source, see tween gallery"
@@ -73,7 +71,6 @@ class _Help(argparse.RawDescriptionHelpFormatter):
 
     def __init__(self, prog: str) -> None:
         super().__init__(prog, max_help_position=26)
-        self._action_max_length = 15  # argparse forgets that the names of commands are indented
 
 
 class _Parser(argparse.ArgumentParser):
@@ -91,7 +88,7 @@ class _Version(argparse.Action):
     """Print the version of the package that is installed."""
 
     def __call__(self, *_: Any) -> None:
-        print("tween", metadata.version("tween"))
+        print("tween", metadata.version("tween-immersions"))
         raise SystemExit(0)
 
 
@@ -171,20 +168,20 @@ def _add_way(group: Any) -> None:
     )
     group.add_argument(
         "--root",
-        type=_number_or("disk-center", "tree-center"),
+        type=_number_or(*ROOT_RULES),
         default="disk-center",
         metavar="WHERE",
         help="where the motion starts: disk-center (unless given), tree-center or the number of a triangle of A",
     )
     group.add_argument(
         "--strategy",
-        choices=("auto", "paper", "common"),
+        choices=STRATEGIES,
         default="auto",
         help="flip on the way (paper), use a triangulation valid in both (common), or that where there is one (auto)",
     )
     group.add_argument(
         "--shifts",
-        type=_number_or("pivots", "all"),
+        type=_number_or(*SHIFT_RULES),
         default="pivots",
         metavar="WHICH",
         help="which vertices correspond: by pivots (unless given), the best of all, or a number K: i and i+K",

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.app.playground.hand_drawn import BOX, many
-from tween.geometry.dual_tree import hops, smallest_triangle
+from tween.geometry.dual_tree import along_longest_path
 from tween.geometry.triangulation import Triangulation
 from tween.measuring.certificate import Certificate, certify
-from tween.measuring.metrics import area_matrix, area_rank, vertex_sums
+from tween.measuring.metrics import angle_sums, area_matrix, area_rank
 from tween.morphing.compatible.leg import root_triangle
 from tween.morphing.morph import Morph
 from tween.plot.shapes import identity_colors
@@ -54,7 +54,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
     """
     times = np.linspace(0, 1, FRAMES)
     _, first, stage = np.unique(m.stage_at(times), return_index=True, return_inverse=True)
-    sums = vertex_sums(m, times)
+    sums = angle_sums(m, times)
     certificate = certify(m, FRAMES)
     colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.uint8)
     return {
@@ -74,9 +74,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
 
 def _along(T: Triangulation) -> list[int]:
     """The triangles in the order of `identity_colors`: along the longest path of the dual tree."""
-    one_end = int(np.argmax(hops(T, 0)))
-    ends = np.array([one_end, int(np.argmax(hops(T, one_end)))])
-    return np.argsort(hops(T, smallest_triangle(T, ends)), kind="stable").tolist()
+    return np.argsort(along_longest_path(T), kind="stable").tolist()
 
 
 def fit(points: _Floats) -> list[int]:

@@ -19,9 +19,10 @@ from PIL import Image
 from tween import gallery, plot
 from tween.app.playground.hand_drawn import BOX
 from tween.app.playground.sketch import HELP, KINDS, OPTIONS, ROOTS, TRIANGULATIONS, Sketch, in_words
+from tween.choices import PATHS
 from tween.geometry.curve import Curve
-from tween.morphing.compatible.paths import PATHS
-from tween.plot import film, pixels
+from tween.plot import pixels
+from tween.plot.film import record
 
 _STATIC = Path(__file__).with_name("static")
 _FIRST = "loop"
@@ -106,7 +107,7 @@ class Picture:
         """The morph, side by side, from left to right."""
         if self.sketch.morph is None:
             return None
-        shown = film.film(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False, one_scale=False)
+        shown = record(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False, one_scale=False)
         strip = Image.new("RGB", (_PICTURES * _SIZE, _SIZE), "white")
         for k in range(_PICTURES):
             strip.paste(pixels.picture(shown, k), (k * _SIZE, 0))
@@ -132,7 +133,7 @@ def _widget() -> Any:
         wish = traitlets.Dict().tag(sync=True)
         # To the browser.
         shapes = traitlets.Dict().tag(sync=True)
-        film = traitlets.Dict().tag(sync=True)
+        footage = traitlets.Dict().tag(sync=True)
         file = traitlets.Dict().tag(sync=True)
 
         def __init__(self, sketch: Sketch) -> None:
@@ -156,7 +157,7 @@ def _widget() -> Any:
             self._answered = wish
             options = dict(self.options)
             asked = options.pop("asked", 0)
-            self.film = self.sketch.move(options) | {"asked": asked}
+            self.footage = self.sketch.move(options) | {"asked": asked}
 
         def _keep(self, _: Any) -> None:
             self.file = _kept(self.sketch, self.wish) | {"asked": self.wish.get("asked", 0)}

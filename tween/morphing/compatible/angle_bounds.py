@@ -21,7 +21,8 @@ Legend: ``z`` third vertices; ``x y`` their coordinates; ``low high`` ends of in
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.morphing.compatible.paths import Path, base_angles, corner_angles, path_lengths, third_vertices
+from tween.choices import Path
+from tween.morphing.compatible.paths import base_angles, corner_angles, path_lengths, third_vertices
 
 _ROUNDING = 1e-12  # relative, added to the boxes
 _ROUNDING_OF_LENGTHS = 1e-7  # relative: the square root of what rounding makes of a difference of squares

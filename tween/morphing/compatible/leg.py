@@ -13,6 +13,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.angle_bounds import largest_angles
@@ -23,7 +24,7 @@ from tween.morphing.compatible.angle_budgets import (
     no_budgets,
     proved_budgets,
 )
-from tween.morphing.compatible.paths import Path, area_apex, base_angles, corner_angles, third_vertices
+from tween.morphing.compatible.paths import area_apex, base_angles, corner_angles, third_vertices
 
 _THINNEST = 2.0**-60
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse

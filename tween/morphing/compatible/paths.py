@@ -21,14 +21,12 @@ and z2 to it; ``s`` position along the segment, 0 to 1; ``t`` time.
 """
 
 import math
-from typing import Literal, get_args
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Path = Literal["linear", "slide", "angle", "area", "metric"]
-PATHS: tuple[Path, ...] = get_args(Path)
+from tween.choices import PATHS, Path
 
 _LINE = -1.0  # the `end` of a straight piece; arcs have the end of the base about which they turn
 _MOST_PIECES = 5

@@ -12,21 +12,19 @@ ab that gives way to cd, as in `flips`.
 
 import heapq
 from collections import deque
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.choices import Order, Path
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.compatible.paths import Path
 from tween.morphing.incompatible.flip_sequence import FlipSequence
 from tween.triangulating.compatibility import match_rows
 from tween.triangulating.flips import flip_in_place, is_convex, quadrilateral
-
-Order = Literal["partial", "sequential"]
 
 _SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
 _CHUNK = 16  # steps looked at together

@@ -50,11 +50,11 @@ function drawStroke(ctx, stroke, color) {
   dot(ctx, stroke[0], color, 3.5);
 }
 
-function drawFrame(ctx, film, f, colors) {
-  if (!film.frames.length) return;
-  const points = film.frames[f];
-  const triangles = film.stages[film.stage[f]];
-  fill(ctx, points, triangles, (i) => film.colors[i]);
+function drawFrame(ctx, footage, f, colors) {
+  if (!footage.frames.length) return;
+  const points = footage.frames[f];
+  const triangles = footage.stages[footage.stage[f]];
+  fill(ctx, points, triangles, (i) => footage.colors[i]);
   ctx.strokeStyle = "rgb(115 115 115 / 45%)";
   ctx.lineWidth = 0.5 * ctx.pixel;
   for (let i = 0; i < triangles.length; i += 3) {
@@ -62,9 +62,9 @@ function drawFrame(ctx, film, f, colors) {
     ctx.stroke();
   }
   outline(ctx, points, INK, 1.2);
-  if (film.root >= 0) dot(ctx, middle(points, triangles, film.root), colors.pivot, 3.5);
-  const v = film.worst[f];
-  if (film.sums[f] >= 2 * Math.PI) dot(ctx, [points[2 * v], points[2 * v + 1]], colors.failure, 3.5);
+  if (footage.root >= 0) dot(ctx, middle(points, triangles, footage.root), colors.pivot, 3.5);
+  const v = footage.worst[f];
+  if (footage.sums[f] >= 2 * Math.PI) dot(ctx, [points[2 * v], points[2 * v + 1]], colors.failure, 3.5);
 }
 
 function middle(points, triangles, i) {
@@ -72,10 +72,10 @@ function middle(points, triangles, i) {
   return [mean(0), mean(1)];
 }
 
-function triangleAt(film, f, [x, y]) {
-  if (!film.frames.length) return -1;
-  const points = film.frames[f];
-  const triangles = film.stages[film.stage[f]];
+function triangleAt(footage, f, [x, y]) {
+  if (!footage.frames.length) return -1;
+  const points = footage.frames[f];
+  const triangles = footage.stages[footage.stage[f]];
   const left = (i, j) =>
     (points[2 * j] - points[2 * i]) * (y - points[2 * i + 1]) -
       (points[2 * j + 1] - points[2 * i + 1]) * (x - points[2 * i]) >= 0;
@@ -99,14 +99,14 @@ function sumsInWords(sum, vertex) {
   return `${(sum / Math.PI).toFixed(3)} π at vertex ${vertex}; from 2 π on it is no disk`;
 }
 
-function drawAreas(ctx, film, f) {
-  if (!film.frames.length) return;
+function drawAreas(ctx, footage, f) {
+  if (!footage.frames.length) return;
   const [width, height] = ctx.size;
-  const top = roundUp(Math.max(...film.areas[f]));
-  const step = width / film.order.length;
-  film.order.forEach((triangle, place) => {
-    ctx.fillStyle = film.colors[triangle];
-    ctx.fillRect(place * step, 0, Math.max(step - 0.6, 0.6), (film.areas[f][triangle] / top) * (height - 16));
+  const top = roundUp(Math.max(...footage.areas[f]));
+  const step = width / footage.order.length;
+  footage.order.forEach((triangle, place) => {
+    ctx.fillStyle = footage.colors[triangle];
+    ctx.fillRect(place * step, 0, Math.max(step - 0.6, 0.6), (footage.areas[f][triangle] / top) * (height - 16));
   });
   line(ctx, [[0, height - 16], [width, height - 16]], "#d0d0d0", 1);
   label(ctx, `${top / 100} %`, [width, height - 12], "#595959");
@@ -117,18 +117,18 @@ function roundUp(number) {
   return power * [1, 2, 3, 5, 10].find((digit) => digit * power >= number);
 }
 
-function drawSums(ctx, film, f, colors) {
-  if (!film.frames.length) return;
+function drawSums(ctx, footage, f, colors) {
+  if (!footage.frames.length) return;
   const [width, height] = ctx.size;
   const limit = 2 * Math.PI;
-  const last = film.sums.length - 1;
-  const least = Math.min(...film.sums, 0.75 * limit);
-  const most = Math.max(...film.sums, limit);
+  const last = footage.sums.length - 1;
+  const least = Math.min(...footage.sums, 0.75 * limit);
+  const most = Math.max(...footage.sums, limit);
   const place = (i, sum) => [4 + (i / last) * (width - 8), 6 + ((sum - least) / (most - least)) * (height - 22)];
   line(ctx, [place(0, limit), place(last, limit)], colors.failure, 1);
   label(ctx, "2 π", [width, place(0, limit)[1] + 4], colors.failure);
-  line(ctx, film.sums.map((sum, i) => place(i, sum)), INK, 1.4);
-  dot(ctx, place(f, film.sums[f]), film.sums[f] < limit ? INK : colors.failure, 3.5);
+  line(ctx, footage.sums.map((sum, i) => place(i, sum)), INK, 1.4);
+  dot(ctx, place(f, footage.sums[f]), footage.sums[f] < limit ? INK : colors.failure, 3.5);
 }
 
 function line(ctx, places, color, width) {

@@ -58,25 +58,25 @@ function render({ model, el }) {
   // The morph
 
   const showFrame = () => {
-    const film = model.get("film");
-    const last = film.frames.length - 1;
+    const footage = model.get("footage");
+    const last = footage.frames.length - 1;
     frame = Math.max(0, Math.min(frame, last));
     ui.slider.max = Math.max(1, last);
     ui.slider.value = frame;
     ui.slider.disabled = ui.play.disabled = last < 1;
     ui.time.textContent = last < 1 ? "" : `t = ${(frame / last).toFixed(2)}`;
-    drawFrame(surface(ui.morph.canvas, box, box), film, frame, colors);
-    drawAreas(surface(ui.areas.canvas), film, frame);
-    drawSums(surface(ui.sums.canvas), film, frame, colors);
-    ui.areas.words.textContent = last < 1 ? "" : areasInWords(film.areas[frame]);
-    ui.sums.words.textContent = last < 1 ? "" : sumsInWords(film.sums[frame], film.worst[frame]);
+    drawFrame(surface(ui.morph.canvas, box, box), footage, frame, colors);
+    drawAreas(surface(ui.areas.canvas), footage, frame);
+    drawSums(surface(ui.sums.canvas), footage, frame, colors);
+    ui.areas.words.textContent = last < 1 ? "" : areasInWords(footage.areas[frame]);
+    ui.sums.words.textContent = last < 1 ? "" : sumsInWords(footage.sums[frame], footage.worst[frame]);
   };
   const showMorph = () => {
-    const film = model.get("film");
-    if (film.asked !== model.get("options").asked) return;
+    const footage = model.get("footage");
+    if (footage.asked !== model.get("options").asked) return;
     clearTimeout(patience);
     ui.root.classList.remove("tween-busy");
-    tell(ui.morph.words, film.words, film.frames.length > 0, film.valid);
+    tell(ui.morph.words, footage.words, footage.frames.length > 0, footage.valid);
     showFrame();
   };
   const stop = () => {
@@ -85,13 +85,13 @@ function render({ model, el }) {
     ui.play.textContent = "▶";
   };
   const step = () => {
-    if (frame + 1 >= model.get("film").frames.length) return stop();
+    if (frame + 1 >= model.get("footage").frames.length) return stop();
     frame += 1;
     showFrame();
   };
   ui.play.onclick = () => {
     if (timer) return stop();
-    if (frame + 1 >= model.get("film").frames.length) frame = -1;
+    if (frame + 1 >= model.get("footage").frames.length) frame = -1;
     timer = setInterval(step, 40);
     ui.play.textContent = "❚❚";
   };
@@ -101,7 +101,7 @@ function render({ model, el }) {
     showFrame();
   };
   ui.morph.canvas.onclick = (event) => {
-    const root = triangleAt(model.get("film"), frame, placeOf(event, ui.morph.canvas, box));
+    const root = triangleAt(model.get("footage"), frame, placeOf(event, ui.morph.canvas, box));
     if (root >= 0) ask({ root });
   };
 
@@ -139,7 +139,7 @@ function render({ model, el }) {
     if (data) offer(name, data);
   };
 
-  const listeners = { shapes: showShapes, film: showMorph, options: showOptions, file: showFile };
+  const listeners = { shapes: showShapes, footage: showMorph, options: showOptions, file: showFile };
   for (const [name, show] of Object.entries(listeners)) model.on(`change:${name}`, show);
   const watcher = new ResizeObserver(() => (showShapes(), showFrame()));
   watcher.observe(ui.root);

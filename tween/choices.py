@@ -1,0 +1,19 @@
+"""The words that options take, each list once; it imports nothing, so that help comes at once."""
+
+from typing import Literal, get_args
+
+Path = Literal["linear", "slide", "angle", "area", "metric"]
+PATHS: tuple[Path, ...] = get_args(Path)
+RootRule = Literal["disk-center", "tree-center"]
+ROOT_RULES: tuple[RootRule, ...] = get_args(RootRule)
+Root = RootRule | int
+Strategy = Literal["auto", "paper", "common"]
+STRATEGIES: tuple[Strategy, ...] = get_args(Strategy)
+Order = Literal["partial", "sequential"]
+ORDERS: tuple[Order, ...] = get_args(Order)
+ShiftRule = Literal["pivots", "all"]
+SHIFT_RULES: tuple[ShiftRule, ...] = get_args(ShiftRule)
+Shifts = ShiftRule | int
+Style = Literal["triangles", "outline", "fill"]
+STYLES: tuple[Style, ...] = get_args(Style)
+SIZES = (16, 2048)  # pixels that a picture's side may have
