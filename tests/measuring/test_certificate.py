@@ -256,7 +256,7 @@ def test_neither_the_first_vertex_nor_the_scale_matters(T: Triangulation, shift:
 def test_only_the_predicates_are_shared_with_the_rest() -> None:
     text = Path(certificate.__file__).read_text()
     assert [line for line in text.splitlines() if line.startswith(("from tween", "import tween"))] == [
-        "from tween.predicates import EXACT_RANGE, turn"
+        "from tween.geometry.predicates import EXACT_RANGE, turn"
     ]
 
 
