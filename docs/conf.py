@@ -174,6 +174,24 @@ def list_modules(app: Sphinx, name: str, source: list[str]) -> None:
         source[0] += draw_map()
 
 
+def lead_back(app: Sphinx, name: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:
+    """Mend links from source code to the reference: viewcode expects one prefix for all names of a module."""
+    if not name.startswith("_modules/"):
+        return
+    places = [(place.docname, known) for known, place in app.env.domaindata["py"]["objects"].items()]
+
+    def mended(link: re.Match[str]) -> str:
+        page, parts = link["page"], link["name"].split(".")
+        for i in range(len(parts)):
+            tail = ".".join(parts[i:])
+            for docname, known in places:
+                if docname == page and f".{known}".endswith(f".{tail}"):
+                    return f"{link['way']}{page}.html#{known}"
+        return link[0]
+
+    context["body"] = re.sub(r"(?P<way>(?:\.\./)+)(?P<page>[\w/]+)\.html#(?P<name>[\w.]+)", mended, context["body"])
+
+
 def as_mathml(self: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
     """Write a formula in MathML, which browsers show by themselves: no script, no font, no network."""
     block = isinstance(node, nodes.math_block)
@@ -192,5 +210,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("autodoc-process-signature", hide_constructor)
     app.connect("autodoc-skip-member", skip_members)
     app.connect("source-read", list_modules)
+    app.connect("html-page-context", lead_back)
     app.add_html_math_renderer("mathml", inline_renderers=(as_mathml, None), block_renderers=(as_mathml, None))
     return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -1,17 +1,18 @@
 """What the studies measure: Table 1's rank and variance with its parameters, places among others, and slides."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tween import Triangulation, frame_variance
-from tween.choices import Path
+from tween import Triangulation, area_matrix, frame_variance
+from tween.choices import Path, Root
 from tween.geometry.dual_tree import rooted
 from tween.measuring.metrics import rank_of
-from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.compatible.leg import root_triangle
 from tween.morphing.compatible.paths import slides
+from tween.morphing.strategy import morph_compatible
 
 # Of Table 1.
 PARAMETERS: dict[str, Any] = {
@@ -39,30 +40,16 @@ def percentile(value: float, distribution: NDArray[np.float64]) -> float:
     return float(np.mean(distribution < value) + 0.5 * np.mean(distribution == value))
 
 
-class ToDisk:
-    """The way of one curve's triangulations to one disk, vertex i to vertex i.
-
-    To the last bit what `tween.area_matrix` makes of `tween.morph`.  But these look for the correspondence, and check
-    the curve, anew for each of 68000 morphs; here both are known, and one root serves all paths.
-    """
-
-    def __init__(self, points: NDArray[np.float64], disk: NDArray[np.float64], frames: int) -> None:
-        times = np.linspace(0.0, 1.0, frames)
-        # A morph is computed from the shape whose bytes come first, so that it is symmetric.
-        self._backwards = points.tobytes() > disk.tobytes()
-        self._disk, self._times = disk, 1 - times if self._backwards else times
-
-    def area_matrix(self, T: Triangulation, path: Path, root: int) -> NDArray[np.float64]:
-        """Areas of the triangles in all frames, as shares of the source's area, (n-2, frames)."""
-        first, last = (T.moved(self._disk), T.points) if self._backwards else (T, self._disk)
-        x, y = np.ascontiguousarray(Leg(first, last, path, root).at(self._times).transpose(2, 1, 0))
-        a, b, c = T.triangles.T
-        return 0.5 * ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])) / T.areas.sum()
-
-    def measure(self, T: Triangulation, paths: Sequence[Path]) -> list[list[float]]:
-        """AR at every tolerance, then Var, a row a path."""
-        root = root_triangle(PARAMETERS["root"], T, T.moved(self._disk))
-        return [measures(self.area_matrix(T, path, root)) for path in paths]
+def areas_to_disk(
+    T: Triangulation,
+    disk: NDArray[np.float64],
+    path: Path,
+    frames: int = PARAMETERS["frames"],
+    root: Root | None = None,
+) -> NDArray[np.float64]:
+    """The area matrix of the morph to a disk, vertex i to vertex i."""
+    root = PARAMETERS["root"] if root is None else root
+    return area_matrix(morph_compatible(T, T.moved(disk), path=path, root=root), frames)
 
 
 def hung(T: Triangulation, disk: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:

@@ -1,6 +1,7 @@
 """The documentation: it builds without a warning, its code runs, its links lead somewhere, and nothing is fetched."""
 
 import doctest
+import inspect
 import os
 import pkgutil
 import re
@@ -12,6 +13,7 @@ from html.parser import HTMLParser
 from importlib.util import find_spec
 from pathlib import Path
 from textwrap import dedent
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import matplotlib.pyplot as plt
@@ -37,7 +39,7 @@ def name_of(path: Path) -> str:
 def documented(text: str) -> set[str]:
     """Return the full names that the directives of a page document."""
     names, module = set(), ""
-    for directive, argument in re.findall(r"^\.\. (currentmodule|auto\w+):: *(\S+)", text, re.MULTILINE):
+    for directive, argument in re.findall(r"^\.\. (currentmodule|py:module|auto\w+):: *(\S+)", text, re.MULTILINE):
         if directive == "currentmodule":
             module = argument
         elif argument:
@@ -48,6 +50,20 @@ def documented(text: str) -> set[str]:
 @pytest.mark.parametrize("name", tween.__all__)
 def test_every_public_name_is_on_a_page_of_the_reference(name: str) -> None:
     assert any(f"tween.{name}" in documented(page.read_text(encoding="utf-8")) for page in REFERENCE)
+
+
+@pytest.mark.parametrize("name", [name for name in tween.__all__ if isinstance(getattr(tween, name), ModuleType)])
+def test_every_function_and_class_of_a_module_with_a_short_name_is_on_a_page_of_the_reference(name: str) -> None:
+    module = getattr(tween, name)
+    shown = {
+        key
+        for key, value in vars(module).items()
+        if inspect.isclass(value) or (inspect.isfunction(value) and inspect.get_annotations(value))
+    }
+    own = {key for key in shown if getattr(module, key).__module__ == module.__name__ and not key.startswith("_")}
+    wanted = shown & set(getattr(module, "__all__", own))  # kernels have no annotations
+    on_pages = set().union(*(documented(page.read_text(encoding="utf-8")) for page in REFERENCE))
+    assert {key for key in wanted if not {f"tween.{name}.{key}", f"tween.{key}"} & on_pages} == set()
 
 
 @pytest.mark.parametrize("name", tween.__all__)

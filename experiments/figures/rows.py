@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from experiments.figures.registry import WIDTH
 from tween import Morph, Triangulation
 from tween import plot as draw
-from tween.geometry.dual_tree import hops, smallest_triangle
+from tween.geometry.dual_tree import along_longest_path, hops
 
 SHAPES = 7  # in a row
 ALPHA = 0.55  # opacity of one layer
@@ -23,9 +23,7 @@ EDGE = (0.45, 0.45, 0.45, 0.4)
 
 def places(T: Triangulation) -> NDArray[np.float64]:
     """Where each vertex lies along the longest path of the dual tree, from 0 to 1: the mean of its triangles."""
-    one_end = int(np.argmax(hops(T, 0)))
-    other_end = int(np.argmax(hops(T, one_end)))
-    along = hops(T, smallest_triangle(T, np.array([one_end, other_end])))
+    along = along_longest_path(T)
     total = np.bincount(T.triangles.ravel(), weights=np.repeat(along, 3), minlength=len(T))
     return np.asarray(total / (T.degrees - 1) / max(1, along.max()))
 

@@ -19,12 +19,11 @@ from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 from experiments.measures import PARAMETERS as TABLE_1
-from experiments.measures import ToDisk, measures, percentile, slid
+from experiments.measures import areas_to_disk, measures, percentile, slid
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
 from tween import Decomposition, Triangulation, decompose, remesh
-from tween.choices import Path
-from tween.morphing.compatible.leg import root_triangle
+from tween.choices import Path, Root
 from tween.triangulating.costs import edge_length, smallest_angle
 
 PARAMETERS: dict[str, Any] = {"seed": TABLE_1["seed"], "samples": 200, "fewer": 100}
@@ -41,7 +40,7 @@ class Setting(NamedTuple):
     frames: int = 100
     spacing: Literal["arc", "uniform"] = "arc"
     radius: float = 1.0  # of the disk; 1 gives it the area of the curve's own
-    root: str = "disk-center"
+    root: Root = "disk-center"
 
 
 DEFAULT, LINEAR = Setting(), Setting(path="linear")
@@ -99,8 +98,7 @@ def area_matrices(setting: Setting, T: Sequence[Triangulation]) -> list[Array]:
     disk = T[0].on_disk(setting.spacing).points
     if setting.radius != 1:
         disk = disk.mean(axis=0) + setting.radius * (disk - disk.mean(axis=0))
-    way = ToDisk(T[0].points, disk, setting.frames)
-    return [way.area_matrix(t, setting.path, root_triangle(setting.root, t, t.moved(disk))) for t in T]
+    return [areas_to_disk(t, disk, setting.path, setting.frames, setting.root) for t in T]
 
 
 def measured(matrices: Sequence[Array]) -> Array:

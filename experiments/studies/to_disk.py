@@ -16,16 +16,10 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from experiments.measures import MEASURES, PARAMETERS, QUANTILES, RANKS, ToDisk, measures, percentile
+from experiments.measures import MEASURES, PARAMETERS, QUANTILES, RANKS, areas_to_disk, measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from experiments.subjects import PAPER, shape, shapes
-from tween import Triangulation, area_matrix, decompose, morph, remesh
-from tween.choices import Path
-
-
-def measure(T: Triangulation, disk: NDArray[np.float64], path: Path) -> list[float]:
-    """AR at every tolerance, then Var, of the morph to the disk."""
-    return measures(area_matrix(morph(T, T.moved(disk), path=path, root=PARAMETERS["root"]), PARAMETERS["frames"]))
+from tween import decompose, remesh
 
 
 def study(name: str, samples: int) -> dict[str, Any]:
@@ -36,13 +30,12 @@ def study(name: str, samples: int) -> dict[str, Any]:
     single = {"remeshed": remeshed, "first": decomposition.arbitrary(), "last": decomposition.arbitrary("last")}
     uniform = decomposition.sample(rng_for(PARAMETERS["seed"], name), samples)
     about = {"curve": name, "kind": shapes()[name], "n": len(remeshed), "log10_count": _log10(decomposition.count)}
-    way = ToDisk(remeshed.points, disk, PARAMETERS["frames"])
-    drawn_by_path = np.array([way.measure(T, PARAMETERS["paths"]) for T in uniform]).swapaxes(0, 1)
     rows, histograms = [], {}
-    for path, drawn in zip(PARAMETERS["paths"], drawn_by_path, strict=True):
+    for path in PARAMETERS["paths"]:
+        drawn = np.array([measures(areas_to_disk(T, disk, path)) for T in uniform])
         about_path = about | {"path": path}
         for label, T in single.items():
-            values = measure(T, disk, path)
+            values = measures(areas_to_disk(T, disk, path))
             places = [percentile(v, column) for v, column in zip(values, drawn.T, strict=True)]
             rows.append(about_path | {"triangulation": label} | _named(values, places))
         for label, q in QUANTILES.items():

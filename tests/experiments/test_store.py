@@ -42,7 +42,7 @@ def test_the_package_itself_can_be_sent_to_workers() -> None:
 
 
 def test_so_does_a_dask_cluster() -> None:
-    distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster': pip install tween[cluster]")
+    distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster': pip install '.[cluster]'")
     with (
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"

@@ -9,7 +9,7 @@ from strategies import convex_triangulations, disks
 
 from tween import Triangulation
 from tween.gallery import random_disk
-from tween.geometry.dual_tree import disk_center, hops, rooted, tree_center
+from tween.geometry.dual_tree import along_longest_path, disk_center, hops, rooted, tree_center
 
 SQUARE = Triangulation([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
 shapes = st.one_of(convex_triangulations(), disks())
@@ -112,3 +112,14 @@ def test_a_root_that_does_not_exist_is_refused(root: int) -> None:
 def test_a_large_tree_is_walked_without_recursion() -> None:
     T = random_disk(3000, np.random.default_rng(0))
     assert rooted(T, tree_center(T)).depth.max() == -(-max(hops(T, int(np.argmax(hops(T, 0))))) // 2)
+
+
+@given(st.one_of(convex_triangulations(), disks()))
+def test_hops_along_the_longest_path_start_at_its_end_of_smaller_corners(T: Triangulation) -> None:
+    along = along_longest_path(T)
+    every = [oracle.distances(T.triangles, t) for t in range(len(T.triangles))]
+    assert along.tolist() in every
+    assert along.max() == max(map(max, every))
+    start, far = int(np.argmin(along)), np.flatnonzero(along == along.max())
+    corners = [sorted(t) for t in T.triangles.tolist()]
+    assert any(corners[start] <= corners[t] for t in far)

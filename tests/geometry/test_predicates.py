@@ -165,7 +165,7 @@ def test_other_kernels_can_call_the_predicates(scale: float) -> None:
 
 SIGNS = """
 import json, numpy as np
-from tween.predicates import incircle, orient2d
+from tween.geometry.predicates import incircle, orient2d
 p = np.random.default_rng(7).integers(0, 4, (4, 300, 2)) * 0.1
 print(json.dumps([orient2d(*p[:3]).tolist(), incircle(*p).tolist()]))
 """

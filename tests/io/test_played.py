@@ -41,7 +41,8 @@ def test_evenly_spaced_shapes_are_read_back_as_they_are_drawn(m, tmp_path: Path)
     path = tmp_path / "film.svg"
     path.write_text(svg(shown), encoding="utf-8")
     frames, triangles, _ = read_frames(path)
-    unit = max(map(int, re.search(r'viewBox="0 0 (\d+) (\d+)"', path.read_text()).groups())) / 480
+    finer = re.search(r'"outline" transform="scale\((.*?)\)"', path.read_text())
+    unit = 5000 / 480 * (round(1 / float(finer[1])) if finer else 1)
     np.testing.assert_array_equal(frames[:7], np.rint(shown.shapes * unit) * [1, -1])
     np.testing.assert_array_equal(triangles[:7], shown.triangles)
 

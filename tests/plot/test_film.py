@@ -8,9 +8,10 @@ import pytest
 from matplotlib.colors import to_rgb
 
 from tween import Morph, morph, triangulate
+from tween.colors import SOURCE, TARGET
 from tween.gallery import curve, pair
 from tween.plot.film import Film, record
-from tween.plot.shapes import SOURCE, TARGET, identity_colors
+from tween.plot.shapes import identity_colors
 
 
 @pytest.fixture(scope="module")

@@ -11,8 +11,8 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from tween import Morph, area_matrix, area_rank, gallery, morph, triangulate
+from tween.colors import FAILURE, INK
 from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
-from tween.plot.shapes import FAILURE, INK
 
 
 @pytest.fixture

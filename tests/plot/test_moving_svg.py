@@ -12,11 +12,11 @@ import pytest
 from PIL import Image
 
 from tween import Morph, morph
+from tween.choices import STYLES
 from tween.gallery import pair
 from tween.plot.film import record
 from tween.plot.moving_svg import player, svg
 
-STYLES = ("triangles", "outline", "fill")
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", "chrome"))), None)
 QUIET = (
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking"

@@ -1,7 +1,7 @@
 """Films as text: an SVG that moves by itself, and a page with a player.
 
 The longer side of the canvas has 5000 units and coordinates are whole numbers of them: four significant digits.
-Straight motion between the rounded shapes is verified; where rounding breaks it, units are ten times as fine.
+Straight motion between the rounded outlines is verified; where rounding breaks it, they have units ten times as fine, and so on.
 One path for each triangle and one for the outline go through all frames, and a browser interpolates between
 these; the corner that a flip moves slides to its new vertex from one frame to the next.  The triangles in force are written
 down beside the drawing, so that `tween.read_frames` gets back what is played, and `tween.verify` can check it.
@@ -21,7 +21,7 @@ from tween.measuring.certificate import verify
 from tween.plot.film import OPACITY, Film
 
 _UNITS = 5000
-_FINEST = 5_000_000_000_000  # whole numbers that doubles tell apart
+_FINEST = 10**9  # times as fine: whole numbers that doubles still tell apart
 _PLAYER = Path(__file__).with_name("player.html")
 
 
@@ -47,8 +47,8 @@ def svg(film: Film) -> str:
     (92, 93, 94)
     """
     numbers, timing = _timing(film)
-    units = _units(film)
-    outline, triangles = _polygons(film, units)
+    finer = _finer(film)
+    outline, triangles = _rounded(film, finer), _triangles(film, _rounded(film))
 
     def animation(attribute: str, values: list[str]) -> str:
         return f'<animate attributeName="{attribute}" {timing} values="{";".join(values[k] for k in numbers)}"/>'
@@ -59,7 +59,7 @@ def svg(film: Film) -> str:
 
     tint = animation("stroke" if film.style == "outline" else "fill", [_hex(color) for color in film.tints])
     data = json.dumps({"frames": numbers, "triangles": changed_triangles(film.triangles)}, separators=(",", ":"))
-    return _drawing(film, units, through(outline), [through(row) for row in triangles], tint, data)
+    return _drawing(film, (1, finer), through(outline), [through(row) for row in triangles], tint, data)
 
 
 def player(film: Film) -> str:
@@ -82,8 +82,9 @@ def player(film: Film) -> str:
     >>> "<script>" in player(record(morph(T, T.on_disk()), frames=5))
     True
     """
-    units = _units(film)
-    outline, triangles = _polygons(film, units)
+    finer = _finer(film)
+    outline = _rounded(film, finer)
+    triangles = _triangles(film, outline)
     still = [f'd="{_path(row[0].tolist())}"/>' for row in (outline, *triangles)]
     data = {
         "fps": film.fps,
@@ -105,15 +106,21 @@ def player(film: Film) -> str:
         accent=_hex(film.edge),
         width=film.width,
         last=len(film.times) - 1,
-        svg=_drawing(film, units, still[0], still[1:]),
+        svg=_drawing(film, (finer, finer), still[0], still[1:]),
         data=json.dumps(data, separators=(",", ":")),
     )
 
 
-def _drawing(film: Film, units: int, outline: str, triangles: list[str], tint: str = "", data: str = "") -> str:
-    """The SVG, from what follows the colour of each path; ``tint`` animates the colour of the whole shape."""
-    unit = units / max(film.width, film.height)
+def _drawing(
+    film: Film, finer: tuple[int, int], outline: str, triangles: list[str], tint: str = "", data: str = ""
+) -> str:
+    """The SVG, from what follows the colour of each path; ``tint`` animates the colour of the whole shape.
+
+    By so much the units of the triangles, and those of the outline, are finer.
+    """
+    unit = _UNITS / max(film.width, film.height)
     width, first = round(film.line * unit), _hex(film.tints[0])
+    scales = [f' transform="scale({1 / times:g})"' if times > 1 else "" for times in finer]
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{film.width}" height="{film.height}"'
         f' viewBox="0 0 {round(film.width * unit)} {round(film.height * unit)}" stroke-linejoin="round">'
@@ -123,44 +130,42 @@ def _drawing(film: Film, units: int, outline: str, triangles: list[str], tint: s
         lines.append(f"<metadata>{data}</metadata>")
     lines.append(f'<rect width="100%" height="100%" fill="{_hex(film.background)}"/>')
     if film.style == "triangles":
-        edges = f'stroke="{_hex(film.edge)}" stroke-opacity="0.5" stroke-width="{round(0.45 * width)}"'
+        edges = f'stroke="{_hex(film.edge)}" stroke-opacity="0.5" stroke-width="{round(0.45 * width) * finer[0]}"'
         fills = [f'<path fill="{_hex(color)}" ' for color in film.colors]
-        lines.append(f'<g class="triangles" fill-opacity="{OPACITY}" {edges}>')
+        lines.append(f'<g class="triangles"{scales[0]} fill-opacity="{OPACITY}" {edges}>')
         lines += [fill + path for fill, path in zip(fills, triangles, strict=True)]
         lines.append("</g>")
     elif film.style == "fill":  # without smoothed edges, so that neighbours leave no seam
         lines.append(
-            f'<g class="triangles" fill="{first}" fill-opacity="{OPACITY}" shape-rendering="crispEdges">{tint}'
+            f'<g class="triangles"{scales[0]} fill="{first}" fill-opacity="{OPACITY}" shape-rendering="crispEdges">{tint}'
         )
         lines += ["<path " + path for path in triangles]
         lines.append("</g>")
     color, tint = (first, tint) if film.style == "outline" else (_hex(film.ink), "")
-    lines.append(f'<g class="outline" fill="none" stroke="{color}" stroke-width="{width}">{tint}<path {outline}</g>')
+    stroke = f'stroke="{color}" stroke-width="{width * finer[1]}"'
+    lines.append(f'<g class="outline"{scales[1]} fill="none" {stroke}>{tint}<path {outline}</g>')
     return "\n".join([*lines, "</svg>\n"])
 
 
-def _units(film: Film) -> int:
-    """Units of the longer side: so many that straight motion between the rounded shapes is verified, if it can be."""
-    units = _UNITS
-    while units <= _FINEST:
-        shapes = _rounded(film, units) * [1.0, -1.0]
-        if verify(shapes, film.triangles, film.clock, between="linear"):
-            return units
-        units *= 10
-    return _UNITS
+def _finer(film: Film) -> int:
+    """How much finer units have to be for straight motion between rounded outlines to be verified; 1 where none will do."""
+    finer = 1
+    while finer <= _FINEST:
+        if verify(_rounded(film, finer) * [1.0, -1.0], film.triangles, film.clock, between="linear"):
+            return finer
+        finer *= 10
+    return 1
 
 
-def _rounded(film: Film, units: int) -> NDArray[np.int64]:
-    return np.rint(film.shapes * (units / max(film.width, film.height))).astype(np.int64)
+def _rounded(film: Film, finer: int = 1) -> NDArray[np.int64]:
+    """The shapes in units of the drawing, or in finer ones."""
+    return np.rint(film.shapes * (finer * _UNITS / max(film.width, film.height))).astype(np.int64)
 
 
-def _polygons(film: Film, units: int) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
-    """In units of the drawing, the outline in all frames, shape (k, n, 2), and each triangle, shape (k, 3, 2)."""
-    outline = _rounded(film, units)
-    if film.style == "outline":
-        return outline, []
-    frames = np.arange(len(outline))[:, None]
-    return outline, [outline[frames, row] for row in film.triangles.swapaxes(0, 1)]
+def _triangles(film: Film, shapes: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+    """Each triangle in all frames, shape (k, 3, 2); none where only the curve is drawn."""
+    frames = np.arange(len(shapes))[:, None]
+    return [] if film.style == "outline" else [shapes[frames, row] for row in film.triangles.swapaxes(0, 1)]
 
 
 def _timing(film: Film) -> tuple[list[int], str]:

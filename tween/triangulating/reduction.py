@@ -1,4 +1,4 @@
-r"""Reducing a curve to a smaller one that bounds the same disks, and restoring what was removed in triangulations.
+r"""Reducing a curve to a smaller one that bounds the same disks.
 
 Let v have the neighbours a and b on the curve.  v may be removed when the closed triangle of a, v, b holds no other
 vertex, and the turn at v is
@@ -20,17 +20,9 @@ reduced curve, the corner x could be stopped by an edge that crosses both sides;
 meets ab meets av or vb, so an edge once met by none is never met later.
 
 What is left has at most about as many vertices as there are edges that meet others; where a curve crosses itself a few
-times, however finely it is drawn, that is next to nothing.  In reverse order an ear is glued on again; a dent is cut
-out of the triangulation: the triangles that meet a b v form a chain from the edge ab to v, and the two polygons beside
-the dent are triangulated anew, by Delaunay triangles.
+times, however finely it is drawn, that is next to nothing.  How the vertices come back: `.restoration`.
 
-Legend: ``a v b`` neighbours on the curve; ``t s`` triangle and slot, ``h = 3 t + s`` half-edge; ``p q z`` left and
-right end of the edge by which the chain enters a triangle, and the triangle's third vertex.
-
-References
-----------
-Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations* (1997): the
-polygons beside an edge.
+Legend: ``a v b`` neighbours on the curve; ``w`` any other vertex.
 """
 
 from typing import NamedTuple

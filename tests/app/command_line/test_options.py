@@ -3,7 +3,7 @@
 import argparse
 import re
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,10 +12,8 @@ from hypothesis import strategies as st
 from terminal import Run, parsers
 
 from tween.app.command_line import commands
-from tween.app.command_line.options import PATHS, SIZES, STYLES, Misuse, build_parser
-from tween.morphing.compatible.paths import PATHS as LIBRARY_PATHS
-from tween.morphing.strategy import Strategy
-from tween.plot import film
+from tween.app.command_line.options import Misuse, build_parser
+from tween.choices import PATHS, ROOT_RULES, SHIFT_RULES, SIZES, STRATEGIES, STYLES
 
 
 def examples(parser: argparse.ArgumentParser) -> list[str]:
@@ -42,13 +40,14 @@ def test_help_says_what_a_command_is_for_and_fits_the_page(name: str, run: Run, 
     assert max(map(len, options)) <= 90
 
 
-def test_the_choices_are_those_of_the_library() -> None:
-    assert sorted(PATHS) == sorted(LIBRARY_PATHS)
-    assert film.STYLES == STYLES
-    assert film.SIZES == SIZES
-    way = parsers()["morph"]
-    strategies = next(a.choices for a in way._actions if a.dest == "strategy")
-    assert strategies == get_args(Strategy)
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [("path", PATHS), ("strategy", STRATEGIES), ("style", STYLES), ("root", ROOT_RULES), ("shifts", SHIFT_RULES)],
+)
+def test_every_choice_of_the_library_is_a_choice_of_the_command(option: str, words: tuple[str, ...]) -> None:
+    for word in words:
+        options = build_parser().parse_args(["morph", "a.csv", "b.csv", "-o", "c.gif", f"--{option}", word])
+        assert getattr(options, option) == word
 
 
 @pytest.mark.parametrize(
