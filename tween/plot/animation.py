@@ -58,8 +58,8 @@ def save_animation(
         Its suffix is one of `formats`.  The file is written whole or not at all.
     m : Morph
     frames : int
-        Shapes from the source to the target, both included, at least 2; a way back shows the same ones.  In SVG and HTML
-        they only say how long it takes: the shapes are those of `tween.playback`.
+        Shapes from the source to the target, both included, at least 2; a way back shows the same ones.  In SVG and
+        HTML they only say how long it takes: the shapes are those of `tween.playback`.
     fps : float
         Frames a second, from 0.1 to 100; in a GIF up to 50.
     size : int or (int, int)
@@ -93,9 +93,9 @@ def save_animation(
     The same call writes the same bytes, as long as the libraries that encode are the same.  Frames of a GIF, PNG or
     WebP that look exactly alike become one that lasts as long.
 
-    SVG and HTML move straight from shape to shape, and every instant of that is verified, after rounding, where the morph
-    allows it.  They hold the triangles, too, so that `tween.read_frames` and the command ``tween certify`` can check
-    what is played.
+    SVG and HTML move straight from shape to shape, and every instant of that is verified, after rounding, where the
+    morph allows it.  They hold the triangles, too, so that `tween.read_frames` and the command ``tween certify`` can
+    check what is played.
 
     Examples
     --------

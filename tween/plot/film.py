@@ -5,11 +5,12 @@ A film holds each shape on the way once, in pixels, and says which of them is sh
     number    0   1   2  ...  k-2  k-1  k-2  ...  1   0
     seconds  rest  one / fps each  rest  one / fps each
 
-What is drawn picture by picture has shapes evenly spaced on the clock.  What a player moves straight from one shape to the
-next takes, where it can, those of a `tween.measuring.playback`, of the shapes as they are on the canvas: so all that is
-played is verified.
+What is drawn picture by picture has shapes evenly spaced on the clock.  What a player moves straight from one shape
+to the next takes, where it can, those of a `tween.measuring.playback`, of the shapes as they are on the canvas: so
+all that is played is verified.
 
-Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``s`` the clock, from 0 to 1 on the way there; ``t`` time of the morph.
+Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``s`` the clock, from 0 to 1 on the way there; ``t`` time
+of the morph.
 """
 
 from collections.abc import Callable
@@ -107,7 +108,7 @@ class Film:
 
     @property
     def seconds(self) -> NDArray[np.float64]:
-        """How long each of those is shown, evenly spaced, shape (j,); the source rests at the start only, as all goes round."""
+        """How long each of those is shown, evenly spaced, shape (j,); as the film goes round, the source rests once."""
         seconds = np.full(len(self.numbers), 1 / self.fps)
         seconds[[0, len(self.times) - 1]] += self.hold
         return seconds
@@ -149,8 +150,8 @@ def record(
     one_scale : bool
         Whether all shapes have one scale; otherwise each is as large as the others, and in the middle.
     verified : bool
-        Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly spaced; they
-        take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
+        Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
+        spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
 
     Returns
     -------
@@ -226,7 +227,7 @@ class _Stage:
         return self._placed(self._prepared(self._m.at(self.eased(s))))
 
     def triangles_at(self, s: float) -> NDArray[np.int64]:
-        return self._m.triangles_at(float(self.eased(np.float64(s))))
+        return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
 
 
 def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:

@@ -201,7 +201,8 @@ def _add_film(group: Any) -> None:
 
 
 def _add_certify(commands: Any) -> None:
-    parser = _add(commands, "certify", "check exactly whether what a file plays bounds immersed disks, at every instant", _CERTIFY)
+    about = "check exactly whether what a file plays bounds immersed disks, at every instant"
+    parser = _add(commands, "certify", about, _CERTIFY)
     parser.add_argument(
         "file", metavar="FRAMES", help="frames as morph writes them: .npz, .json, .csv, .svg or .html, not pictures"
     )
