@@ -2,7 +2,7 @@
 
 Times are no result that `make reproduce` could find again, so results/scaling.csv changes only when one says so.
 The peer for triangulation is pythoncdt (C++, constrained Delaunay triangulation of a simple polygon of the same size),
-where it is installed: `pip install tween[bench]`.  That for morphs is numpy's straight-line interpolation.
+where it is installed: `pip install '.[bench]'`.  That for morphs is numpy's straight-line interpolation.
 """
 
 import argparse

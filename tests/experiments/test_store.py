@@ -1,6 +1,7 @@
 """What studies keep and resume, and that any backend of joblib's takes them: threads, processes, a cluster."""
 
 import pickle
+from collections.abc import Callable
 from pathlib import Path
 
 import joblib
@@ -13,9 +14,14 @@ from experiments.subjects import shapes
 from tween import decompose, gallery
 
 
-def work(name: str) -> int:
-    """Count in a worker; what comes back must be JSON."""
-    return len(decompose(gallery.curve(name)).immersions())
+@pytest.fixture
+def work() -> Callable[[str], int]:
+    """Return a function that goes to a worker whole, as none can import a test; what comes back must be JSON."""
+
+    def immersions(name: str) -> int:
+        return len(decompose(gallery.curve(name)).immersions())
+
+    return immersions
 
 
 NAMES = ["ell", "two_disks", "five_disks", "horseshoe"]
@@ -29,7 +35,7 @@ def own_checkpoints(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("backend", ["sequential", "threading", "loky"])
-def test_backends_of_joblib_give_the_same_results_in_the_same_order(backend: str) -> None:
+def test_backends_of_joblib_give_the_same_results_in_the_same_order(backend: str, work: Callable[[str], int]) -> None:
     with joblib.parallel_config(backend=backend):
         assert compute("backends", {"backend": backend}, NAMES, work) == EXPECTED
 
@@ -41,8 +47,8 @@ def test_the_package_itself_can_be_sent_to_workers() -> None:
     assert count == [4, 4]
 
 
-def test_so_does_a_dask_cluster() -> None:
-    distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster': pip install tween[cluster]")
+def test_so_does_a_dask_cluster(work: Callable[[str], int]) -> None:
+    distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster': pip install '.[cluster]'")
     with (
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
