@@ -106,7 +106,7 @@ def phrase(ratios: pd.Series) -> str:
     '"The rank of this matrix gives us a measure of the uniformity of areas"',
     CONDITION,
     (
-        "tests/test_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
+        "tests/morphing/compatible/test_angle_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
         "experiments/studies/to_disk.py",
         "experiments/claims/section_7.py",
     ),
@@ -181,7 +181,10 @@ def late_flips(S: Triangulation, T: Triangulation, order: Order) -> float:
     "8 (6)",
     '"Guaranteed to terminate": the circle allows every flip, so all are done by then',
     HOLDS,
-    ("experiments/studies/pairs.py", "tests/test_gradual.py::test_every_flip_of_a_flow_is_strictly_convex_exactly"),
+    (
+        "experiments/studies/pairs.py",
+        "tests/morphing/incompatible/test_flow.py::test_every_flip_of_a_flow_is_strictly_convex_exactly",
+    ),
     "figure_10_flips.png",
 )
 def flips_terminate(x: Numbers) -> Finding:
