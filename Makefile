@@ -99,8 +99,8 @@ coverage: $(STAMP) ## Report the lines that the quick tests miss, with the kerne
 
 bench: $(STAMP) ## Time tween beside its peers in one process
 	@echo "bench: timing"
-	@$(BIN)/python -m experiments.bench
-	@$(BIN)/python -m experiments.bench_scale
+	@$(BIN)/python -m experiments.benchmarks.tasks
+	@$(BIN)/python -m experiments.benchmarks.scaling
 
 docs: $(STAMP) ## Build the documentation into .cache/docs
 	@echo "docs: building"

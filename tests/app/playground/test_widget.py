@@ -38,7 +38,7 @@ def test_without_its_packages_it_says_what_to_install(monkeypatch: pytest.Monkey
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "anywidget" else found(name))
     shown = playground(live=True)
     assert isinstance(shown, Picture)
-    assert "it needs anywidget: pip install 'tween[playground]'" in str(shown)
+    assert "it needs anywidget: pip install '.[playground]'" in str(shown)
 
 
 def test_a_curve_that_bounds_no_disk_has_words_but_no_picture() -> None:
