@@ -51,7 +51,7 @@ def slivers_and_places(remeshed: Morph, drawn: list[Triangulation]) -> dict[str,
     '"Any number of valid edge swaps will still produce a valid triangulation of the interior of the curve"',
     HOLDS,
     (
-        "tests/test_flips.py::test_a_flip_changes_one_pair_of_rows_and_its_inverse_restores_it",
+        "tests/triangulating/test_flips.py::test_a_flip_changes_one_pair_of_rows_and_its_inverse_restores_it",
         "experiments/claims/section_4.py",
     ),
     "figure_05_flip.png",
@@ -76,8 +76,8 @@ def swapped(T: Triangulation, rng: np.random.Generator) -> int:
     'Delaunay triangulation, which "maximizes the minimal angle"',
     HOLDS,
     (
-        "tests/test_flips.py::test_flips_one_by_one_lead_to_the_same_result_and_each_enlarges_the_angles",
-        "tests/test_flips.py::test_a_remeshed_disk_is_valid_and_delaunay",
+        "tests/triangulating/test_flips.py::test_flips_one_by_one_lead_to_the_same_result_and_each_enlarges_the_angles",
+        "tests/triangulating/test_flips.py::test_a_remeshed_disk_is_valid_and_delaunay",
         "experiments/claims/section_4.py",
     ),
     "figure_05_flip.png",
@@ -156,7 +156,7 @@ def in_a_tenth(values: Floats) -> float:
     'Two triangulations are compatible "if and only if" their degree sequences agree after a rotation',
     HOLDS,
     (
-        "tests/test_triangulation.py::test_the_smallest_shift_is_found_for_all_pairs_of_triangulations",
+        "tests/triangulating/test_compatibility.py::test_the_smallest_shift_is_found_for_all_pairs_of_triangulations",
         "tests/experiments/claims/test_measure.py::test_degrees_tell_triangulations_apart",
         "experiments/claims/section_4.py",
     ),

@@ -20,8 +20,8 @@ from tween.morphing.compatible.paths import slides, third_vertices
     'The procedure "converges to the target shape when t = 1"',
     HOLDS,
     (
-        "tests/test_morph.py::test_it_leads_exactly_from_source_to_target",
-        "tests/test_gradual.py::test_the_ends_are_exactly_the_shapes_that_were_given",
+        "tests/morphing/test_strategy.py::test_it_leads_exactly_from_source_to_target",
+        "tests/morphing/incompatible/test_flow.py::test_the_ends_are_exactly_the_shapes_that_were_given",
         "experiments/claims/section_5.py",
     ),
 )
@@ -43,7 +43,7 @@ def at_the_end(m: Morph) -> dict[str, float]:
     'Slide "ensures that the length of the (propagation) edge ... is always between" those in source and target',
     CONDITION,
     (
-        "tests/test_morph.py::test_slide_keeps_propagation_edges_monotone_relative_to_their_base",
+        "tests/morphing/test_strategy.py::test_slide_keeps_propagation_edges_monotone_relative_to_their_base",
         "experiments/claims/section_5.py",
     ),
     "figure_07_paths.png",
@@ -90,7 +90,10 @@ def beyond(x: Floats) -> tuple[Floats, Floats]:
     "5",
     'Of two propagation edges "at most one ... will have non-monotonic changes in its length during linear morph"',
     FAILS,
-    ("tests/test_paths.py::test_both_edges_can_be_non_monotone_and_both_are_kept", "experiments/claims/section_5.py"),
+    (
+        "tests/morphing/compatible/test_paths.py::test_both_edges_can_be_non_monotone_and_both_are_kept",
+        "experiments/claims/section_5.py",
+    ),
     "figure_07_paths.png",
 )
 def at_most_one_non_monotone(x: Numbers) -> Finding:
@@ -135,7 +138,10 @@ def third_vertices_at_random(spread: str) -> dict[str, int]:
     "5",
     'Slide "also preserves monotonicity of the length of the other propagation edge"',
     HOLDS,
-    ("tests/test_paths.py::test_slide_keeps_many_random_lengths_monotone", "experiments/claims/section_5.py"),
+    (
+        "tests/morphing/compatible/test_paths.py::test_slide_keeps_many_random_lengths_monotone",
+        "experiments/claims/section_5.py",
+    ),
     "figure_07_paths.png",
 )
 def slide_spares_the_other_edge(x: Numbers) -> Finding:

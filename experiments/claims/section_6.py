@@ -45,7 +45,10 @@ def reflex_vertices(m: Morph) -> dict[str, int]:
     "6.1",
     'Pruning finds "the path between the two farthest leaf nodes", the spine',
     HOLDS,
-    ("tests/test_align.py::test_the_spine_is_what_pruning_as_printed_leaves", "experiments/claims/section_6.py"),
+    (
+        "tests/morphing/incompatible/test_pivots.py::test_the_spine_is_what_pruning_as_printed_leaves",
+        "experiments/claims/section_6.py",
+    ),
 )
 def spine_joins_the_farthest_leaves(x: Numbers) -> Finding:
     every, longest = x.curves.spines.sum(), x.curves.spines_longest.sum()
@@ -65,7 +68,7 @@ def spines(drawn: list[Triangulation]) -> dict[str, int]:
     CONDITION,
     (
         "experiments/studies/pivots.py",
-        "tests/test_align.py::test_pivots_match_and_of_the_four_pairings_none_crosses_less",
+        "tests/morphing/test_alignment.py::test_pivots_match_and_of_the_four_pairings_none_crosses_less",
     ),
     "figure_09_pivots.png",
     "counted in crossings and flips; AR and Var hardly change",
@@ -86,7 +89,7 @@ def pivots_help(x: Numbers) -> Finding:
     'at most "the number of intersections"',
     CONDITION,
     (
-        "tests/test_sequence.py::test_the_flips_lead_to_the_target_and_each_removes_a_crossing",
+        "tests/morphing/incompatible/test_flip_sequence.py::test_the_flips_lead_to_the_target_and_each_removes_a_crossing",
         "experiments/studies/flip_distance.py",
         "experiments/claims/section_6.py",
     ),
@@ -169,7 +172,10 @@ def inserted_in_order(S: Triangulation, T: Triangulation) -> tuple[Triangulation
     "6.2",
     'There are u and v at which each shape has the other\'s triangulation; "the minimum of u and v" decides',
     HOLDS,
-    ("tests/test_gradual.py::test_the_way_leads_through_the_flow_that_is_done_first", "experiments/studies/pairs.py"),
+    (
+        "tests/morphing/incompatible/test_flow.py::test_the_way_leads_through_the_flow_that_is_done_first",
+        "experiments/studies/pairs.py",
+    ),
     "figure_10_flips.png",
 )
 def u_and_v_exist(x: Numbers) -> Finding:
@@ -186,8 +192,8 @@ def u_and_v_exist(x: Numbers) -> Finding:
     '"M(S1, S2) = M(S2, S1)": the morph is symmetric',
     HOLDS,
     (
-        "tests/test_gradual.py::test_the_way_back_is_the_way_there_reversed",
-        "tests/test_morph.py::test_the_way_back_is_the_way_there",
+        "tests/morphing/incompatible/test_flow.py::test_the_way_back_is_the_way_there_reversed",
+        "tests/morphing/test_strategy.py::test_the_way_back_is_the_way_there",
         "experiments/studies/pairs.py",
     ),
 )
