@@ -38,7 +38,6 @@ FRAMES = {"frames": np.array([SQUARE] * 3), "triangles": np.array([[0, 1, 2], [0
     "change",
     [
         {"frames": None},
-        {"triangles": None},
         {"frames": np.zeros((4, 2))},
         {"frames": np.zeros((0, 4, 2))},
         {"frames": np.zeros((3, 2, 2))},
@@ -59,6 +58,12 @@ def test_malformed_frames_are_answered_by_one_line(tmp_path, change, suffix):
     text = json.dumps({name: array.tolist() for name, array in arrays.items()})
     path = saved(tmp_path, f"frames{suffix}", npz(**arrays) if suffix == ".npz" else text)
     assert complaint(path, read_frames)
+
+
+def test_frames_may_come_without_triangles_and_times(tmp_path):
+    frames, triangles, times = read_frames(saved(tmp_path, "frames.npz", npz(frames=FRAMES["frames"])))
+    assert np.array_equal(frames, FRAMES["frames"])
+    assert triangles is None and times is None
 
 
 @pytest.mark.parametrize("content", ["[1, 2]", "{}", '{"frames": [[1], [2, 3]], "triangles": []}', "", "null"])
