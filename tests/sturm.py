@@ -6,7 +6,7 @@ be multiplied by positive numbers; ``s`` from 0 to 1.
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import lru_cache
 from itertools import pairwise, zip_longest
 from math import gcd, lcm
 from typing import NamedTuple
@@ -50,7 +50,7 @@ def whole(p: Sequence[Fraction]) -> Polynomial:
     return trimmed(int(c * factor) for c in p)
 
 
-@cache
+@lru_cache(maxsize=4096)
 def divided(p: Polynomial, q: Polynomial) -> tuple[Polynomial, Polynomial]:
     """Return quotient and remainder."""
     left, quotient = [Fraction(c) for c in p], [Fraction(0)] * max(len(p) - len(q) + 1, 0)
@@ -70,7 +70,7 @@ def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
     return p
 
 
-@cache
+@lru_cache(maxsize=4096)
 def sturm_chain(p: Polynomial) -> list[Polynomial]:
     chain = [p, derivative(p)]
     while chain[-1]:

@@ -125,6 +125,23 @@ def test_random_pairs_near_every_degeneracy_are_decided_as_by_sturms_theorem() -
     assert ("no root, though not of one sign, a triangle", "valid") in tally
 
 
+def in_powers(c) -> sturm.Polynomial:
+    """Return c0 (1-s)^2 + c1 s (1-s) + c2 s^2 in powers of s."""
+    return sturm.trimmed([c[0], c[1] - 2 * c[0], c[0] - c[1] + c[2]])
+
+
+def test_the_first_root_at_which_another_quadratic_is_positive_is_that_of_sturms_theorem() -> None:
+    rng = np.random.default_rng(8)
+    hits = 0
+    for *c, d0, d1, d2 in rng.integers(-5, 6, (4000, 6)).tolist():
+        d = in_powers((d0, d1, d2))
+        roots = [(("root", 0), root) for root in sturm.roots(in_powers(c)) if d and sturm.sign_at(d, root) > 0]
+        truth, found = sturm.earliest(roots), straight_motion._first_root(tuple(c), (d0, d1, d2))
+        assert agrees(None if found is None else Breach(found, "root", 0), truth), (c, d0, d1, d2)
+        hits += found is not None
+    assert 500 < hits < 3000
+
+
 @given(st.integers(0, 2**32 - 1), st.integers(1, 40))
 def test_no_instant_of_what_is_accepted_is_refuted_by_turning_number_and_areas(seed: int, parts: int) -> None:
     _, start, end, count = next(pairs(seed))
@@ -273,15 +290,8 @@ def test_times_that_fall_and_unknown_motion_are_misuse() -> None:
 
 def test_what_only_moves_turns_or_grows_is_valid_throughout() -> None:
     third = [[-0.5, -(0.75**0.5)], [0.75**0.5, -0.5]]
-    frames = [
-        SQUARE,
-        np.add(SQUARE, (7, -3)),
-        1e9 * SQUARE,
-        moved(SQUARE, third),
-        moved(moved(SQUARE, third), third),
-        SQUARE,
-    ]
-    cert = verify(frames, HALVES, between="linear")
+    turned = [moved(SQUARE, third), moved(moved(SQUARE, third), third)]
+    cert = verify([SQUARE, np.add(SQUARE, (7, -3)), 1e9 * SQUARE, *turned, SQUARE], HALVES, between="linear")
     assert cert.valid
     assert (cert.intervals_checked, cert.intervals_failed) == (5, 0)
     assert str(cert).splitlines()[0] == "valid at every instant of playback"
