@@ -142,6 +142,26 @@ def test_the_first_root_at_which_another_quadratic_is_positive_is_that_of_sturms
     assert 500 < hits < 3000
 
 
+def test_a_root_far_smaller_than_the_other_keeps_its_digits() -> None:
+    tiny = straight_motion._first_root((1, -(10**40), 1))
+    assert tiny == pytest.approx(1e-40, rel=1e-15)
+    assert straight_motion._first_root((1, -(10**40), 10**40)) == pytest.approx(1e-40, rel=1e-15)
+
+
+def test_thin_triangles_whose_areas_are_all_rounding_are_decided_exactly() -> None:
+    rng = np.random.default_rng(21)
+    answers = []
+    while len(answers) < 300:
+        u = rng.uniform(1, 2, 2)
+        w, v, z = (factor * u + rng.integers(-3, 4, 2) * 2.0**-52 for factor in (rng.uniform(1, 1.5), -1, -1.25))
+        start, end = (np.array([(0.0, 0.0), *edges]) for edges in ((u, w), (v, z)))
+        if is_disk(start, 1) and is_disk(end, 1):
+            (found,) = breaches(start[None], end[None], np.array([fan(1)]))
+            answers.append(found is None)
+            assert agrees(found, sturm.first_breach(start, end, fan(1)))
+    assert 20 < sum(answers) < 280
+
+
 @given(st.integers(0, 2**32 - 1), st.integers(1, 40))
 def test_no_instant_of_what_is_accepted_is_refuted_by_turning_number_and_areas(seed: int, parts: int) -> None:
     _, start, end, count = next(pairs(seed))
