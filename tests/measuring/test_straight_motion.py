@@ -144,8 +144,8 @@ def test_the_first_root_at_which_another_quadratic_is_positive_is_that_of_sturms
 
 def test_a_root_far_smaller_than_the_other_keeps_its_digits() -> None:
     tiny = straight_motion._first_root((1, -(10**40), 1))
-    assert tiny == pytest.approx(1e-40, rel=1e-15)
-    assert straight_motion._first_root((1, -(10**40), 10**40)) == pytest.approx(1e-40, rel=1e-15)
+    assert tiny == pytest.approx(1e-40, rel=1e-15, abs=0)
+    assert straight_motion._first_root((1, -(10**40), 10**40)) == pytest.approx(1e-40, rel=1e-15, abs=0)
 
 
 def test_thin_triangles_whose_areas_are_all_rounding_are_decided_exactly() -> None:
