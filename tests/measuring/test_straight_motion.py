@@ -273,7 +273,14 @@ def test_times_that_fall_and_unknown_motion_are_misuse() -> None:
 
 def test_what_only_moves_turns_or_grows_is_valid_throughout() -> None:
     third = [[-0.5, -(0.75**0.5)], [0.75**0.5, -0.5]]
-    frames = [SQUARE, np.add(SQUARE, (7, -3)), 1e9 * SQUARE, moved(SQUARE, third), moved(moved(SQUARE, third), third), SQUARE]
+    frames = [
+        SQUARE,
+        np.add(SQUARE, (7, -3)),
+        1e9 * SQUARE,
+        moved(SQUARE, third),
+        moved(moved(SQUARE, third), third),
+        SQUARE,
+    ]
     cert = verify(frames, HALVES, between="linear")
     assert cert.valid
     assert (cert.intervals_checked, cert.intervals_failed) == (5, 0)
