@@ -18,10 +18,11 @@ from .measuring.certificate import verify as verify
 from .measuring.metrics import area_matrix as area_matrix
 from .measuring.metrics import area_rank as area_rank
 from .measuring.metrics import frame_variance as frame_variance
-from .morphing.alignment import Alignment as Alignment
-from .morphing.alignment import align as align
+from .morphing.matching.match import Match as Match
+from .morphing.matching.match import match as match
 from .morphing.morph import Morph as Morph
 from .morphing.strategy import morph as morph
+from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation
 from .triangulating import costs as costs
 from .triangulating import flips as flips
