@@ -89,7 +89,7 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> li
 @njit(cache=True)
 def _simplify(points, triangles, twin, fixed, sizes):
     n = len(points)
-    out = _boundary(triangles, twin)
+    out = boundary(triangles, twin)
     before, after = (np.arange(n) - 1) % n, (np.arange(n) + 1) % n
     alive, blocked, stamp = np.ones(n, np.bool_), np.zeros(n, np.bool_), np.zeros(n, np.int64)
     gone = np.zeros(len(triangles), np.bool_)
@@ -123,7 +123,7 @@ def _simplify(points, triangles, twin, fixed, sizes):
 
 
 @njit(cache=True)
-def _boundary(triangles, twin):
+def boundary(triangles, twin):
     """The half-edge that leaves each vertex along the curve."""
     out = np.empty(len(triangles) + 2, np.int64)
     for h in range(len(twin)):
