@@ -2,8 +2,8 @@ r"""Matching two shapes: the best correspondence and the best common triangulati
 
 A *match* gives both curves the same vertices and the same triangles: every vertex of either curve, and points inserted
 on the edges of one opposite vertices of the other.  Of all correspondences, insertions among candidates and
-triangulations it takes those of least energy: exactly, by one table, on curves of few vertices (`tween.match_kernels`);
-level by level from simplified curves on others (`tween.match_levels`).
+triangulations it takes those of least energy: exactly, by one table, on curves of few vertices (`kernels`);
+level by level from simplified curves on others (`levels`).
 
 The energy of the map between the shapes is the symmetric Dirichlet energy, both scaled to area 1.  Of a triangle of area
 A mapped affinely to one of area B, with singular values in the ratio k, it is (A + B) (k + 1/k).  So 4 is the least in
@@ -22,14 +22,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.curve import Curve, as_curve, turning_number
-from tween.decomposition import decompose
-from tween.errors import IncompatibleError, NotSelfOverlappingError
-from tween.flips import remesh
-from tween.match_levels import Landmarks, Shape
-from tween.match_search import SMALL, Found, search
-from tween.predicates import orient2d
-from tween.triangulation import Triangulation
+from tween.errors import NotSelfOverlappingError
+from tween.geometry.curve import Curve, as_curve, turning_number
+from tween.geometry.predicates import orient2d
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.matching.levels import Landmarks, Shape
+from tween.morphing.matching.search import Found, search
+from tween.triangulating.decomposition import decompose
+from tween.triangulating.flips import remesh
 
 _MOST_DISKS = 6  # of one curve that are tried
 

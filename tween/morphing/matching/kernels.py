@@ -25,7 +25,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.match_chords import PIECE, ROUND, Chords, Splits
+from tween.morphing.matching.chords import PIECE, ROUND, Chords, Splits
 
 
 class Side(NamedTuple):

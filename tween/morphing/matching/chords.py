@@ -22,7 +22,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.predicates import orient2d_sign, turn
+from tween.geometry.predicates import orient2d_sign, turn
 
 PIECE, STRAIGHT, ROUND = 1, 2, 3
 _NONE = 0

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tween.match_levels import Correspondence, Effort, Landmarks, Shape, first_level, next_level
+from tween.morphing.matching.levels import Correspondence, Effort, Landmarks, Shape, first_level, next_level
 
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""

@@ -10,7 +10,7 @@ Legend: ``r`` gap or node; ``p q`` positions.
 import numpy as np
 from numba import njit
 
-from tween.match_simplify import boundary
+from tween.morphing.matching.simplify import boundary
 
 _ON_NODE = 1e-12  # of the curve's length
 

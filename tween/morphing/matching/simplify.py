@@ -31,8 +31,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.predicates import in_circumcircle, turn
-from tween.triangulation import Triangulation
+from tween.geometry.predicates import in_circumcircle, turn
+from tween.geometry.triangulation import Triangulation
 
 
 class Level(NamedTuple):

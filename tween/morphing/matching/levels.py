@@ -3,7 +3,7 @@ r"""From coarse to fine: one level of the matching, and the way from each to the
 At the first level both curves are simplified and the product table is solved in full, with evenly spaced candidates.  At
 every further one there are more vertices, the candidates are the *images* of the other curve's vertices under the last
 correspondence, and the table is narrow: a position may be matched with the few that lie around its image, and only
-chords near the last triangulation take part, see `tween.match_reach`.
+chords near the last triangulation take part, see `reach`.
 
 Legend: ``S T`` the shapes; an *arc* is a place along the whole curve, as a share of its length from vertex 0.
 """
@@ -15,11 +15,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.match_chords import Chords, Disk, Positions, all_pairs, find_chords, find_splits, straight_lines
-from tween.match_kernels import Side, Windows, fill, follow, wholes
-from tween.match_reach import gap_ranges, near_pairs
-from tween.match_simplify import Level, boundary, simplify
-from tween.triangulation import Triangulation
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.matching.chords import Chords, Disk, Positions, all_pairs, find_chords, find_splits, straight_lines
+from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
+from tween.morphing.matching.reach import gap_ranges, near_pairs
+from tween.morphing.matching.simplify import Level, boundary, simplify
 
 _APART = 1e-9  # of the curve's length: candidates nearer to each other than this are one
 _Floats = NDArray[np.float64]
@@ -182,7 +182,13 @@ class Effort(NamedTuple):
 
 
 def first_level(
-    S: Shape, T: Shape, sizes: tuple[int, int], candidates: tuple[int, int], nodes: "Landmarks", stretch: float, bound: float
+    S: Shape,
+    T: Shape,
+    sizes: tuple[int, int],
+    candidates: tuple[int, int],
+    nodes: "Landmarks",
+    stretch: float,
+    bound: float,
 ) -> list[Correspondence]:
     """Solve the product table in full, with so many evenly spaced candidates on every edge.
 
@@ -192,7 +198,9 @@ def first_level(
     places = [_even(shape.arc[level.kept], c) for shape, level, c in zip((S, T), levels, candidates, strict=True)]
     source, target = (shape.positions(level, p) for shape, level, p in zip((S, T), levels, places, strict=True))
     windows = Windows(
-        np.zeros(len(source.arc), dtype=np.int64), np.full(len(source.arc), len(target.arc)), np.empty((0, 0), dtype=bool)
+        np.zeros(len(source.arc), dtype=np.int64),
+        np.full(len(source.arc), len(target.arc)),
+        np.empty((0, 0), dtype=bool),
     )
     windows = nodes.restrict(windows, source, target, levels)
     pairs = [all_pairs(len(p.arc)) for p in (source, target)]
@@ -242,7 +250,10 @@ def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
     kept = images[near > effort.merge]
     beside = [kept]
     for step in range(1, effort.beside + 1):
-        beside += [images + after * step / (2 * effort.beside + 1), images - np.roll(after, 1) * step / (2 * effort.beside + 1)]
+        beside += [
+            images + after * step / (2 * effort.beside + 1),
+            images - np.roll(after, 1) * step / (2 * effort.beside + 1),
+        ]
     return np.concatenate(beside) % 1.0
 
 
@@ -292,7 +303,9 @@ def _solve(
 ) -> list[Correspondence]:
     """Fill the table and read the correspondences from it."""
     sides = []
-    for shape, level, place, (first, end), of_source in zip(shapes, levels, positions, pairs, (True, False), strict=True):
+    for shape, level, place, (first, end), of_source in zip(
+        shapes, levels, positions, pairs, (True, False), strict=True
+    ):
         chords = Chords(*find_chords(place, shape.disk(level), first, end, of_source))
         splits, start, middle = find_splits(place, chords, of_source)
         sides.append(Side(chords, splits, start, middle, place.arc))
