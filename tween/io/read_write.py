@@ -93,7 +93,7 @@ def read_curves(path: AnyPath, tolerance: float | None = None) -> dict[str, Curv
     ----------
     path : path-like
     tolerance : float, optional
-        As in `read_curve`.
+        As in `.read_curve`.
 
     Returns
     -------
@@ -104,7 +104,7 @@ def read_curves(path: AnyPath, tolerance: float | None = None) -> dict[str, Curv
     Raises
     ------
     FileError, CurveError
-        As `read_curve`; the message says which curve is at fault.
+        As `.read_curve`; the message says which curve is at fault.
     """
     with naming(path):
         curves = {}
@@ -125,18 +125,18 @@ def read_stroke(path: AnyPath, width: float, select: str | int | None = None, to
     width : float
         Distance between the two sides, in the units of the file.
     select, tolerance
-        As in `read_curve`.
+        As in `.read_curve`.
 
     Returns
     -------
     Curve
-        As `ribbon` makes it, with flat ends.  A closed path is walked once around, so that the ends
+        As `.ribbon` makes it, with flat ends.  A closed path is walked once around, so that the ends
         of the ribbon meet.  For path data without a file see `stroke`.
 
     Raises
     ------
     FileError
-        As `read_curve`.
+        As `.read_curve`.
     CurveError
         Where a bend is too tight for the width.
 
@@ -182,7 +182,7 @@ def write_curve(path: AnyPath, curve: Curve) -> Path:
     Parameters
     ----------
     path : path-like
-        SVG, CSV, JSON, GeoJSON, npz or npy; `read_curve` reads each of them back exactly.
+        SVG, CSV, JSON, GeoJSON, npz or npy; `.read_curve` reads each of them back exactly.
     curve : Curve, or what stands for one
         As in `tween.morph`.
 
@@ -236,7 +236,7 @@ def write_triangulation(path: AnyPath, T: Triangulation) -> Path:
     Raises
     ------
     FileError
-        As `write_curve`.
+        As `.write_curve`.
     """
     formats: dict[str, Callable[[], str | bytes]] = {
         ".svg": lambda: drawing(T.points[None], T.triangles[None]),
@@ -267,7 +267,7 @@ def write_frames(path: AnyPath, m: Morph, frames: int = 60) -> Path:
     Raises
     ------
     FileError
-        As `write_curve`.
+        As `.write_curve`.
 
     Examples
     --------
@@ -348,7 +348,7 @@ def stroke(path: str, width: float, tolerance: float | None = None, cap: int = 0
     Returns
     -------
     Curve
-        As `ribbon` makes it.  A closed path is walked once around, so that the ends of the ribbon meet.
+        As `.ribbon` makes it.  A closed path is walked once around, so that the ends of the ribbon meet.
 
     Raises
     ------

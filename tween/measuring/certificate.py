@@ -16,7 +16,7 @@ with `turn` gives floor(angle sum / 2 pi), exactly.  The angles of n-2 triangles
 
     turning number  =  1 + sum over the vertices of floor(angle sum / 2 pi).
 
-Here is no code of `triangulation`, `curve` or the morphs: only the exact predicate is shared.
+Here is no code of `tween.geometry` but the exact predicate, and none of the morphs.
 
 Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``t`` time; ``stage`` number of the list of
 triangles in force; ``fault`` a rule's code and two numbers, (OK, 0, 0) for none.
@@ -145,7 +145,7 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
     -----
     The rules, all exact: n-2 triangles of three different vertices; each boundary edge in one triangle, in
     the direction of the curve; each diagonal in two, in opposite directions; dual graph connected; coordinates
-    finite and within `EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
+    finite and within `.EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
     one says that the curve has no spike and turning number 1, see the module.  O(n k).
 
     Examples
@@ -337,7 +337,7 @@ def _doubtful(t, stage, sums, heights):
     """Whether, between each frame and the next, an angle sum may reach 2 pi or a height 0."""
     doubt = np.zeros(t.size - 1, np.bool_)
     for f in range(t.size - 1):
-        if stage[f] == stage[f + 1]:
+        if stage[f] == stage[f + 1]:  # else a flip: one instant, looked at before and after
             doubt[f] = _may_rise(t, stage, sums, 1.0, f, 2.0 * pi) or _may_rise(t, stage, heights, -1.0, f, 0.0)
     return doubt
 
@@ -345,12 +345,14 @@ def _doubtful(t, stage, sums, heights):
 @njit(cache=True)
 def _may_rise(t, stage, values, sign, f, limit):
     """Whether sign times a value may reach the limit at the rates seen between frames f - 1 to f + 2."""
+    # the fastest of three intervals, as a single one may straddle a peak and seem slow
     first, last = max(f - 1, 0), min(f + 1, t.size - 2)
     for v in range(values.shape[1]):
         rate = 0.0
         for g in range(first, last + 1):
             if stage[g] == stage[f] and stage[g + 1] == stage[f]:
                 rate = max(rate, abs(values[g + 1, v] - values[g, v]) / (t[g + 1] - t[g]))
+        # lines of this slope, up from both ends, meet at half this sum: no peak is higher
         if 0.5 * (sign * (values[f, v] + values[f + 1, v]) + rate * (t[f + 1] - t[f])) >= limit:
             return True
     return False
@@ -363,6 +365,7 @@ def _may_rise(t, stage, values, sign, f, limit):
 def _check(shapes, stage, lists, faults, sums, heights, areas):
     """Fill in faults and measures of all frames; frames of one stage follow each other."""
     n = shapes.shape[1]
+    # fans depend on the triangles alone, so each list is walked once and not in every frame
     fault, start, fans = _fans(lists[stage[0]], n)
     for f in range(len(shapes)):
         if f > 0 and stage[f] != stage[f - 1]:
@@ -371,7 +374,7 @@ def _check(shapes, stage, lists, faults, sums, heights, areas):
         if fault[0] == _OK and outside < 0:
             areas[f] = _measure(shapes[f], lists[stage[f]], sums[f], heights[f])
             found = _shape_fault(shapes[f], lists[stage[f]], start, fans)
-        else:
+        else:  # what cannot be measured keeps its nan
             found = fault if fault[0] != _OK else (_RANGE, outside, 0)
         faults[f, 0], faults[f, 1], faults[f, 2] = found
 
@@ -381,6 +384,7 @@ def _outside(points):
     """The first vertex whose coordinates the predicate cannot treat exactly; -1 for none."""
     for v in range(len(points)):
         for x in points[v]:
+            # so written that nan, for which every comparison is false, is outside
             if not (x == 0.0 or _LOW <= abs(x) <= _HIGH):
                 return v
     return -1
@@ -389,6 +393,7 @@ def _outside(points):
 @njit(cache=True)
 def _measure(points, triangles, sums, heights):
     """Fill in the angle sums and the heights over the longest edge; returns the smallest area."""
+    # measured in floats, for the report and for where to look closer; no frame passes or fails by these
     sums[:] = 0.0
     least = inf
     for i in range(len(triangles)):
@@ -398,8 +403,10 @@ def _measure(points, triangles, sums, heights):
             ax, ay = points[p, 0] - points[v, 0], points[p, 1] - points[v, 1]
             bx, by = points[q, 0] - points[v, 0], points[q, 1] - points[v, 1]
             cross = ax * by - ay * bx
+            # atan2 has all its digits near 0 and pi, where an arc cosine has half of them
             sums[v] += atan2(cross, ax * bx + ay * by)
             longest = max(longest, ax * ax + ay * ay)
+        # cross is twice the area at every corner: that of the last will do
         heights[i] = cross / longest if longest > 0.0 else 0.0
         least = min(least, 0.5 * cross)
     return least
@@ -411,6 +418,7 @@ def _shape_fault(points, triangles, start, fans):
     for i in range(len(triangles)):
         if turn(points, triangles[i, 0], triangles[i, 1], triangles[i, 2]) <= 0:
             return _FLIPPED, i, 0
+    # all triangles are positive from here on, which is what counting turns by half planes needs
     turning, worst, back, most = 1, 0, False, 0
     for v in range(len(points)):
         full, closed = _full_turns(points, v, fans[start[v] : start[v + 1]])
@@ -419,6 +427,7 @@ def _shape_fault(points, triangles, start, fans):
             worst, back, most = v, closed, full
     if most == 0:
         return _OK, 0, 0
+    # back in its first direction after full turns: both edges of the curve leave the vertex the same way
     return (_SPIKE, worst, 2 * most) if back else (_TURNS, worst, turning)
 
 
@@ -429,6 +438,7 @@ def _full_turns(points, v, fan):
     for p in fan[1:]:
         side = turn(points, v, fan[0], p)
         ahead = side == 0 and _same_direction(points, v, fan[0], p)
+        # a step is less than pi, so none jumps over the open half plane on the right
         was_right, right = right, side < 0
         full += int(was_right and not right)
     return full, ahead
@@ -437,6 +447,7 @@ def _full_turns(points, v, fan):
 @njit(cache=True)
 def _same_direction(points, v, p, q):
     """Whether q lies on the same side of v as p, all three being on one line."""
+    # comparing coordinates is exact where a difference would be rounded; p differs from v, as its triangle is positive
     axis = 0 if points[p, 0] != points[v, 0] else 1
     return (points[p, axis] > points[v, axis]) == (points[q, axis] > points[v, axis])
 
@@ -454,13 +465,15 @@ def _fans(triangles, n):
             return (_INDEX, i, 0), start, fans
         for v in triangles[i]:
             start[v + 1] += 1
+    # corners sorted by their vertex, by counting
     first = np.cumsum(start)
     corners, place = np.empty(3 * len(triangles), np.int64), first[:-1].copy()
     for h in range(corners.size):
         v = triangles[h // 3, h % 3]
         corners[place[v]] = h
         place[v] += 1
-    start = first + np.arange(n + 1)
+    start = first + np.arange(n + 1)  # a fan has one vertex more than triangles
+    # every walk leaves these at -1 again, so one pair serves all vertices
     after, before = np.full(n, -1), np.full(n, -1)
     for v in range(n):
         own, fan = corners[first[v] : first[v + 1]], fans[start[v] : start[v + 1]]
@@ -478,7 +491,7 @@ def _walk(triangles, corners, v, n, after, before, fan):
         p, q = triangles[h // 3, (h + 1) % 3], triangles[h // 3, (h + 2) % 3]
         if after[p] >= 0:
             return _TWICE, v, p
-        if before[q] >= 0:
+        if before[q] >= 0:  # so after is one to one
             return _TWICE, q, v
         after[p], before[q] = q, p
     if after[successor] < 0:
@@ -488,13 +501,14 @@ def _walk(triangles, corners, v, n, after, before, fan):
     if after[predecessor] >= 0:
         return _RIGHT, predecessor, v
     p, size = successor, 0
+    # nothing comes before the successor and after is one to one: the walk never meets itself, and ends
     while after[p] >= 0:
         fan[size], size, q = p, size + 1, after[p]
         after[p], before[q], p = -1, -1, q
     fan[size] = p
     if p != predecessor:
         return _OPEN, v, p
-    for h in corners:
+    for h in corners:  # what is left forms a ring, or a second fan, that touches the first at v only
         if after[triangles[h // 3, (h + 1) % 3]] >= 0:
             return _APART, h // 3, v
     return _OK, 0, 0

@@ -231,6 +231,8 @@ class Morph:
         if self._backwards:
             starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
             stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        if len(stages) == 1 and np.array_equal(stages[0][1], self.source.triangles):
+            return stages
         rows = match_rows(stages[0][1], self.source.triangles)
         return [(s, triangles[rows]) for s, triangles in stages]
 

@@ -58,7 +58,7 @@ class _Choices(NamedTuple):
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
         if self.path == "angle":
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
@@ -82,9 +82,9 @@ def morph(
         Vertices are inserted on edges where the match asks for it.  A triangulation says which immersed disk is meant,
         where its curve bounds several; a curve leaves that open.
     path : {"metric", "slide", "linear", "angle", "area"}
-        How third vertices move, see `tween.morphing.compatible.paths`; slide and linear are the paper's.
+        How third vertices move, see `.paths`; slide and linear are the paper's.
     guarantee : bool
-        Whether every shape on the way is to bound an immersed disk, see `angle_budgets`.  Without it only the path
+        Whether every shape on the way is to bound an immersed disk, see `.angle_budgets`.  Without it only the path
         "angle" sees to that, where there are no flips.
     strategy : {"auto", "matched", "common", "paper"}
         "matched": the best correspondence and the best common triangulation together, see `match`; in the rare case
@@ -93,7 +93,7 @@ def morph(
         triangulations, flips (Section 6).  "auto": two triangulations that are compatible keep their triangles;
         otherwise "matched" where that needs no flips, or else "common" where that is possible, or else "paper".
     placement : {"steady", "root"}
-        How large and where each shape is: by `placement`, so that area and centre change linearly and nothing
+        How large and where each shape is: by `.placement`, so that area and centre change linearly and nothing
         turns without need; or by the root triangle, as in the paper.
     root : {"disk-center", "tree-center"} or int
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's choice), the centre
@@ -141,7 +141,7 @@ def morph(
         if found.complete or strategy == "matched" or landmarks is not None:
             return _in_order(_from_match(found), choices)
     first, second, *origins = equal_counts(source, target)
-    if _key(first, origins[0]) > _key(second, origins[1]):
+    if _comes_later(first, origins[0], second, origins[1]):
         return _between(
             _aligned(strategy, second, first, origins[::-1]), choices._replace(root_of_target=True)
         ).reversed()
@@ -248,7 +248,7 @@ def morph_compatible(
     Mukherjee and Gopi, Section 5.
     """
     _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
-    if not np.array_equal(source.canonical, target.canonical):
+    if source.triangles is not target.triangles and not np.array_equal(source.canonical, target.canonical):
         raise IncompatibleError("the two triangulations have different triangles; tween.morph takes any two shapes")
     every = np.arange(len(source))
     return _in_order(Alignment(source, target, 0, every, every, None, 0), _Choices(path, guarantee, placement, root))
@@ -260,16 +260,21 @@ def _check_words(**given: tuple[str, Sequence[str]]) -> None:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _key(T: Triangulation, origin: NDArray[np.int64]) -> tuple[int, bytes, bytes]:
-    """What orders two shapes: the points that were given, then the triangles."""
-    points = T.points[origin >= 0]
-    return len(points), points.astype("<f8").tobytes(), T.canonical.tobytes()
+def _comes_later(
+    first: Triangulation, first_origin: NDArray[np.int64], second: Triangulation, second_origin: NDArray[np.int64]
+) -> bool:
+    """Whether the second of two shapes comes first: by the points that were given, then by the triangles."""
+    keys = []
+    for T, origin in ((first, first_origin), (second, second_origin)):
+        points = T.points[origin >= 0]
+        keys.append((len(points), points.astype("<f8").tobytes()))
+    return keys[0] > keys[1] or (keys[0] == keys[1] and first.canonical.tobytes() > second.canonical.tobytes())
 
 
 def _in_order(alignment: Alignment, choices: _Choices) -> Morph:
     """Compute a morph from the one of the two shapes that comes first."""
-    first = _key(alignment.source, alignment.source_vertices)
-    if first > _key(alignment.target, alignment.target_vertices):
+    source, target, *origins = alignment.source, alignment.target, alignment.source_vertices, alignment.target_vertices
+    if _comes_later(source, origins[0], target, origins[1]):
         return _between(alignment.exchanged(), choices._replace(root_of_target=True)).reversed()
     return _between(alignment, choices)
 

@@ -1,4 +1,4 @@
-"""Animations of morphs in whole_files.
+"""Animations of morphs in files.
 
 The suffix decides which kind of file:
 

@@ -98,7 +98,7 @@ def build_parser() -> argparse.ArgumentParser:
     Returns
     -------
     ArgumentParser
-        Its subparsers are named as the functions of `commands` that they lead to.
+        Its subparsers are named as the functions of `.commands` that they lead to.
     """
     parser = _Parser(
         prog="tween",

@@ -42,7 +42,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         force, a, b, c, a, ...; stage : which of them, for each frame; areas : for each frame, of each triangle, in
         10000ths of the source; sums, worst : for each frame, the largest sum of angles, in radians, and its vertex;
         colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; words, valid : what
-        `certify` says.
+        `.certify` says.
 
     Examples
     --------

@@ -14,8 +14,8 @@ wanted one as far as its budgets allow.  So no corner exceeds its budget, and no
 time, not only at the frames.  What was moved is a convex combination with continuous weights: no jump.
 
 **Only where needed.**  Budgets are given to the vertices that may reach 2 pi without them.  Time is cut into 128
-intervals (16 where those suffice); in each, every angle has a proved bound (`angle_bounds`), and where a triangle has a
-budgeted corner the larger one of this bound and of that of the path "angle", as its shape is between the two.  A
+intervals (16 where those suffice); in each, every angle has a proved bound (`.angle_bounds`), and where a triangle has
+a budgeted corner the larger one of this bound and of that of the path "angle", as its shape is between the two.  A
 vertex whose bounds add up to 2 pi in some interval gets a budget.  That changes the bounds of the triangles that it
 touches, so this goes on until no vertex is added: the set only grows, so it ends.  Vertices with a budget stay
 below 2 pi by the argument above, the others by their bounds: at every time, by proof.
@@ -127,6 +127,7 @@ def _sides(
 @njit(cache=True)
 def _room(height, limit):
     """How far from 1/2 the foot must be for the angle at c to keep to its limit; below 0 where it need not."""
+    # at a foot 1/2 + w, the cotangent of the angle at c is (w**2 + height**2 - 1/4) / height
     square = 1.0 - 4.0 * height * (height - 1.0 / np.tan(limit))
     return 0.5 * np.sign(square) * np.sqrt(np.abs(square))
 
@@ -237,27 +238,30 @@ def keep_to_budget(z, t, first, last, low, high, sides, by_area):
 
     Along the path "area" it first moves parallel to the base, which keeps the area.
     """
-    if by_area:
+    if by_area:  # what the foot alone cannot keep is left to what follows, and then the area is not kept
         z = _slide_foot(z, _limit(t, low[0], high[0]), _limit(t, low[1], high[1]), _limit(t, low[2], high[2]), sides)
     a, b = math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real)
     wanted = (a, b, math.pi - a - b)
     share = 1.0
     for s in range(3):
-        if low[s] == math.inf:
+        if low[s] == math.inf:  # no budget here
             continue
         plain, limit = first[s] + t * (last[s] - first[s]), low[s] + t * (high[s] - low[s])
+        # plain < limit by the share of what is left, so the quotient is between 0 and 1, and continuous
         if wanted[s] > limit:
             share = min(share, (limit - plain) / (wanted[s] - plain))
-    if share == 1.0:
+    if share == 1.0:  # untouched to the last bit
         return z
     a = (1 - share) * (first[0] + t * (last[0] - first[0])) + share * a
     b = (1 - share) * (first[1] + t * (last[1] - first[1])) + share * b
+    # sines over a base of length 1; the third angle is what is missing to pi, so it needs no mean of its own
     radius = math.sin(b) / math.sin(a + b)
     return complex(radius * math.cos(a), radius * math.sin(a))
 
 
 @njit(cache=True)
 def _limit(t, low, high):
+    # inf - inf would be nan
     return math.inf if low == math.inf else low + t * (high - low)
 
 
@@ -269,16 +273,17 @@ def _slide_foot(z, limit_a, limit_b, limit_c, sides):
     one side at all times; the bound comes up from beyond the foot before it is needed, so there is no jump.
     """
     y = z.imag
+    # angles of a triangle are below pi: larger limits ask for nothing
     low = y / math.tan(limit_a) if limit_a < math.pi else -math.inf
     high = 1.0 - y / math.tan(limit_b) if limit_b < math.pi else math.inf
     if limit_c < math.pi and sides[0] != 0.0:
         room = _room(y, limit_c)
-        if room < 0.0:
+        if room < 0.0:  # not needed yet: scaled so that at both ends of the motion it binds nothing
             room *= sides[1]
         if sides[0] > 0.0:
             low = max(low, 0.5 + room)
         else:
             high = min(high, 0.5 - room)
-    if low > high:
+    if low > high:  # no foot keeps both: the middle, where the two cases meet without a jump
         return complex(0.5 * (low + high), y)
     return complex(min(max(z.real, low), high), y)

@@ -1,7 +1,7 @@
 """Motion between compatible triangulations (Section 5), all times at once.
 
 The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
-its parent, and moves its third vertex along a path (`paths`).  Points are complex numbers here.
+its parent, and moves its third vertex along a path (`.paths`).  Points are complex numbers here.
 
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
@@ -39,11 +39,11 @@ class Leg:
     target : ndarray of float64, shape (n, 2)
         Points of the target; its triangles are the source's.
     path : str
-        See `paths`.
+        See `.paths`.
     root : int
         Number of the root triangle.
     guarantee : bool
-        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.angle_budgets`.
 
     Notes
     -----
@@ -192,7 +192,7 @@ def _placed(laid, root, first_centre, last_centre, t, source, target):
     n, k = laid.shape
     shapes = np.empty((k, n, 2))
     for f in range(k):
-        if t[f] == 0.0:
+        if t[f] == 0.0:  # the ends are the input to the last bit, free of what the layout rounds
             shapes[f] = source
         elif t[f] == 1.0:
             shapes[f] = target
@@ -210,6 +210,7 @@ def _root_base(source, target, by_squares, t):
     """The base of the root, b - a, at every time."""
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = cmath.phase(e2 / e1)
+    # near half a turn rounding would choose the direction, and perhaps the same one for the reversed morph
     if abs(abs(turn) - math.pi) < _HALF_TURN:
         apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
         way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
@@ -217,7 +218,7 @@ def _root_base(source, target, by_squares, t):
             turn += 2.0 * math.pi * way
     e = np.empty(t.size, np.complex128)
     for f in range(t.size):
-        if by_squares:
+        if by_squares:  # along "metric" the root is no exception: all its edges have linear squares
             length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
         else:
             length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
@@ -232,11 +233,12 @@ def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, la
     place = np.empty(m, np.int64)
     for i in range(m):
         place[order[i]] = i
+    # every triangle adds one vertex, c, to the two of the root's base
     shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
     bases[0] = root_base
     shapes[corners[0, 0]] = 0.0
     shapes[corners[0, 1]] = root_base
-    for i in range(m):
+    for i in range(m):  # parents come first: the base of i, and its ends, are known by now
         node = order[i]
         if by_area:
             for f in range(k):
@@ -245,7 +247,7 @@ def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, la
                 above = (1 - t[f]) * areas[i, 2] + t[f] * areas[i, 3]
                 below = (1 - t[f]) * areas[i, 4] + t[f] * areas[i, 5]
                 z[i, f] = area_apex(double_area / (length * length), above, below)
-        if np.isfinite(low[i]).any():
+        if np.isfinite(low[i]).any():  # the others keep their bits
             for f in range(k):
                 z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i], sides[i], by_area)
         a, c = corners[i, 0], corners[i, 2]
@@ -253,6 +255,7 @@ def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, la
             shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
         across_ab, across_bc = twin[node, base[node] % 3], twin[node, (base[node] + 1) % 3]
         across_ca = twin[node, (base[node] + 2) % 3]
+        # a child sees its base from the other side: from a to c, and from c to b
         if across_ca >= 0:
             child = place[across_ca // 3]
             for f in range(k):
@@ -261,6 +264,6 @@ def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, la
             child = place[across_bc // 3]
             for f in range(k):
                 bases[child, f] = (1.0 - z[i, f]) * bases[i, f]
-        if i == 0 and across_ab >= 0:
+        if i == 0 and across_ab >= 0:  # below its own base only the root has a child, the others their parent
             bases[place[across_ab // 3]] = -bases[0]
     return shapes
