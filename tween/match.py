@@ -27,7 +27,8 @@ from tween.decomposition import decompose
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.flips import remesh
 from tween.match_levels import Landmarks, Shape
-from tween.match_search import SMALL, Found, search
+from tween.match_search import Found, search
+from tween.match_spread import spread
 from tween.predicates import orient2d
 from tween.triangulation import Triangulation
 
@@ -116,7 +117,7 @@ def match(source: Any, target: Any, landmarks: Sequence[tuple[int, int]] | None 
     pairs = _checked(landmarks, first, second)
     shapes = [[Shape(T, g.fixed(rows)) for T in g.disks] for g, rows in ((first, pairs[:, 0]), (second, pairs[:, 1]))]
     found = search(shapes[0], shapes[1], Landmarks(pairs[:, 0], pairs[:, 1]))
-    return _as_match(first, second, found)
+    return _as_match(first, second, shapes, found)
 
 
 class _Given:
@@ -145,19 +146,25 @@ def _checked(landmarks: Sequence[tuple[int, int]] | None, source: _Given, target
     return np.empty((0, 2), dtype=np.int64)
 
 
-def _as_match(first: _Given, second: _Given, found: Found) -> Match:
+def _as_match(first: _Given, second: _Given, shapes: list[list[Shape]], found: Found) -> Match:
+    S, T = shapes[0][found.disks[0]], shapes[1][found.disks[1]]
     c = found.correspondence
-    if c is None or not found.complete:
-        raise AssertionError("incomplete")
-    source, target = Triangulation(c.source_points, c.triangles), Triangulation(c.target_points, c.triangles)
-    vertices = [np.where(v < 0, -1, g.rows[v]) for g, v in ((first, c.source_vertices), (second, c.target_vertices))]
+    source, target, complete = None, None, found.complete
+    if complete:
+        assert c is not None
+        source, target = Triangulation(c.source_points, c.triangles), Triangulation(c.target_points, c.triangles)
+        complete = is_valid(source, target)
+    if not complete:
+        c, source, target = spread(S, T, c)
+    assert c is not None and source is not None and target is not None
     return Match(
         source,
         target,
-        energy(source, target),
-        len(found.levels) == 1,
-        True,
-        *vertices,
+        energy(source, target) if complete else found.levels[-1][2] if found.levels else np.inf,
+        complete and len(found.levels) == 1,
+        complete,
+        np.where(c.source_vertices < 0, -1, first.rows[c.source_vertices]),
+        np.where(c.target_vertices < 0, -1, second.rows[c.target_vertices]),
         c.source_arc,
         c.target_arc,
         found.levels,
