@@ -13,6 +13,8 @@ SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
 
 _GROWTH = 1.35  # of the number of vertices from level to level
+_EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
+_MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
 _FINE = 160  # vertices from which on images are candidates enough
 
 
@@ -31,6 +33,8 @@ class Attempt(NamedTuple):
         Local minima of the first level that are tried with more candidates.
     efforts : tuple of Effort
         For each further level, until one can be matched.
+    literal : bool
+        Whether both curves have exactly so many candidates on every edge.
     """
 
     first: int
@@ -38,6 +42,7 @@ class Attempt(NamedTuple):
     stretch: float
     starts: int
     efforts: tuple[Effort, ...]
+    literal: bool = False
 
 
 _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
@@ -91,10 +96,24 @@ def even_candidates(n: int, m: int, even: int = 1) -> tuple[int, int]:
     return max(even, -(-most // n) - 1), max(even, -(-most // m) - 1)
 
 
-def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks) -> Found:
-    """Match every disk of the source with every one of the target and return the best that reaches all vertices."""
+def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candidates: int | None) -> Found:
+    """Match every disk of the source with every one of the target and return the best that reaches all vertices.
+
+    Parameters
+    ----------
+    sources, targets : list of Shape
+        The disks that each curve bounds.
+    nodes : Landmarks
+    candidates : int or None
+        See `tween.match.match`.
+
+    Returns
+    -------
+    Found
+        The first one that is complete; where none is, the one that came farthest.
+    """
     best = Found((0, 0), None, (), False)
-    for attempt in _ATTEMPTS:
+    for attempt in _attempts(len(sources[0]), len(targets[0]), candidates):
         for found in _starts(sources, targets, nodes, attempt):
             refined = _refine(sources[found.disks[0]], targets[found.disks[1]], nodes, attempt, found)
             if refined.complete:
@@ -102,6 +121,17 @@ def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks) -> Foun
             if _reach(refined) > _reach(best):
                 best = refined
     return best
+
+
+def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
+    """The ladder: of small curves exact tables first, with more and more candidates, then simplified ones."""
+    most = max(n, m)
+    if most > SMALL:
+        return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
+    if candidates is not None:
+        return [Attempt(SMALL, candidates, 0.0, 1, (), True)]
+    exact = [Attempt(SMALL, even, 0.0, 1, ()) for even in _EVEN if (even + 1) * most <= _MOST_POSITIONS or even == 1]
+    return exact + [Attempt(first, 2, 0.0, 2, _HEAVY) for first in (most // 2, most // 3) if first > 3]
 
 
 def _reach(found: Found) -> int:
@@ -114,7 +144,7 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
     for s, S in enumerate(sources):
         for t, T in enumerate(targets):
             sizes = sizes_of_levels(len(S), len(T), attempt.first)[0]
-            candidates = even_candidates(*sizes, attempt.even)
+            candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
             for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
     starts.sort(key=lambda found: found.levels[0][2])
