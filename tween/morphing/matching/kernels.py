@@ -12,8 +12,7 @@ and a split (a, c, b) of T divide it:
 S is cut open at its vertex 0; T is a ring.  The whole is a pair of ROUND chords (0, k), (a, c), the rest of both curves
 from k and c on being a piece of an edge.
 
-Costs count from the least that is possible, twice the areas of both triangles: they are never negative, so a state dearer
-than a bound on the whole can be left out.  Target positions that a source position may be matched with lie in its
+Costs count from the least that is possible, twice the areas of both triangles, so they are never negative.  Target positions that a source position may be matched with lie in its
 *window*, ``width`` positions from ``low`` on; the costs of a chord (i, j) make a small matrix, width[i] by width[j].
 
 Legend: ``e`` chord of S; ``f`` chord of T; ``s r`` split of S and of T; ``i k j``, ``a c b`` positions.
@@ -75,7 +74,7 @@ class Table(NamedTuple):
     offset : ndarray of int, shape (c,)
         Where the matrix of each source chord begins in `cost`.
     cost : ndarray of float64
-        Excess over the least possible energy; the bound where there is no state.
+        Excess over the least possible energy; infinite where there is no state.
     first, last : ndarray of int, shape (c,)
         The states of source chord e are ``first[e] : last[e]`` of the next two.
     chord : ndarray of int32
@@ -93,8 +92,8 @@ class Table(NamedTuple):
 
 
 @njit(cache=True)
-def fill(source, target, windows, bound, stretch):
-    """Fill the table with all states of cost below a bound."""
+def fill(source, target, windows, stretch):
+    """Fill the table with all states."""
     chords, width = source.chords, windows.width
     count = len(chords.start)
     offset, size, largest = np.empty(count, np.int64), 0, 1
@@ -102,7 +101,7 @@ def fill(source, target, windows, bound, stretch):
         offset[e] = size
         cells = width[chords.start[e]] * width[chords.end[e]]
         size, largest = size + cells, max(largest, cells)
-    cost = np.full(size, bound)
+    cost = np.full(size, np.inf)
     first, last = np.zeros(count, np.int64), np.zeros(count, np.int64)
     chord, value, filled = np.empty(1024, np.int32), np.empty(1024), 0
     via = np.full(largest, -1, np.int32)  # the target chord of each cell of the matrix at hand
@@ -114,7 +113,7 @@ def fill(source, target, windows, bound, stretch):
                 _fill_piece(source, target, windows, e, matrix, via, stretch)
             else:
                 table = Table(offset, cost, first, last, chord, value)
-                _fill_chord(source, target, windows, e, table, matrix, via, bound)
+                _fill_chord(source, target, windows, e, table, matrix, via)
             if filled + cells > len(chord):
                 chord, value = np.concatenate((chord, np.empty_like(chord))), np.concatenate((value, value))
                 while filled + cells > len(chord):
@@ -154,7 +153,7 @@ def _price(source_arc, i, j, target_arc, a, b, stretch):
 
 
 @njit(cache=True)
-def _fill_chord(source, target, windows, e, table, matrix, via, bound):
+def _fill_chord(source, target, windows, e, table, matrix, via):
     """All ways to divide a state, for all states of the source chord e."""
     i, j = source.chords.start[e], source.chords.end[e]
     round_chord = source.chords.kind[e] == ROUND

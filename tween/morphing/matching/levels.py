@@ -3,7 +3,7 @@ r"""From coarse to fine: one level of the matching, and the way from each to the
 At the first level both curves are simplified and the product table is solved in full, with evenly spaced candidates.  At
 every further one there are more vertices, the candidates are the *images* of the other curve's vertices under the last
 correspondence, and the table is narrow: a position may be matched with the few that lie around its image, and only
-chords near the last triangulation take part, see `reach`.
+chords near the last triangulation take part, see `.reach`.
 
 Legend: ``S T`` the shapes; an *arc* is a place along the whole curve, as a share of its length from vertex 0.
 """
@@ -171,24 +171,18 @@ class Effort(NamedTuple):
         Diagonals of the last triangulation that a chord may cross.
     merge : float
         An image this near to a vertex, as a share of the distance to the next, gives way to it.
-    beside : int
-        Candidates to either side of each image.
+    even : int
+        Evenly spaced candidates on every edge, besides the images.
     """
 
     band: int
     steps: int
     merge: float
-    beside: int
+    even: int
 
 
 def first_level(
-    S: Shape,
-    T: Shape,
-    sizes: tuple[int, int],
-    candidates: tuple[int, int],
-    nodes: "Landmarks",
-    stretch: float,
-    bound: float,
+    S: Shape, T: Shape, sizes: tuple[int, int], candidates: tuple[int, int], nodes: "Landmarks", stretch: float
 ) -> list[Correspondence]:
     """Solve the product table in full, with so many evenly spaced candidates on every edge.
 
@@ -204,7 +198,7 @@ def first_level(
     )
     windows = nodes.restrict(windows, source, target, levels)
     pairs = [all_pairs(len(p.arc)) for p in (source, target)]
-    return _solve((S, T), levels, (source, target), pairs, windows, stretch, bound)
+    return _solve((S, T), levels, (source, target), pairs, windows, stretch)
 
 
 def _even(arc: _Floats, count: int) -> _Floats:
@@ -220,9 +214,8 @@ def next_level(
     nodes: "Landmarks",
     effort: Effort,
     stretch: float,
-    bound: float,
 ) -> Correspondence | None:
-    """Solve the table in the neighbourhood of a coarser correspondence; None where it holds nothing below the bound."""
+    """Solve the table in the neighbourhood of a coarser correspondence; None where it holds nothing."""
     levels = S.level(sizes[0]), T.level(sizes[1])
     arcs = S.arc[levels[0].kept], T.arc[levels[1].kept]
     source = S.positions(levels[0], _images(last.to_source(arcs[1]), arcs[0], effort))
@@ -232,12 +225,12 @@ def next_level(
         near_pairs(len(p.arc), *gap_ranges(p.arc, arc), last.triangles, last.twin, effort.steps)
         for p, arc in ((source, last.source_arc), (target, last.target_arc))
     ]
-    found = _solve((S, T), levels, (source, target), pairs, windows, stretch, bound)
+    found = _solve((S, T), levels, (source, target), pairs, windows, stretch)
     return found[0] if found else None
 
 
 def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
-    """Candidates: the images, less those merged with a vertex, and places beside them."""
+    """Candidates: the images, less those merged with a vertex, and evenly spaced places."""
     images = np.sort(images)
     after = (np.roll(images, -1) - images) % 1.0
     room = np.minimum(after, np.roll(after, 1))
@@ -247,14 +240,7 @@ def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
     for vertex in (place - 1, place % len(vertices)):
         distance = np.abs((images - vertices[vertex] + 0.5) % 1.0 - 0.5)
         near = np.minimum(near, distance / np.minimum(room, spread[vertex]).clip(1e-300))
-    kept = images[near > effort.merge]
-    beside = [kept]
-    for step in range(1, effort.beside + 1):
-        beside += [
-            images + after * step / (2 * effort.beside + 1),
-            images - np.roll(after, 1) * step / (2 * effort.beside + 1),
-        ]
-    return np.concatenate(beside) % 1.0
+    return np.concatenate([images[near > effort.merge], _even(vertices, effort.even)])
 
 
 def _band(source: Positions, target: Positions, last: Correspondence, band: int) -> Windows:
@@ -299,7 +285,6 @@ def _solve(
     pairs: list[tuple[NDArray[np.int64], NDArray[np.int32]]],
     windows: Windows,
     stretch: float,
-    bound: float,
 ) -> list[Correspondence]:
     """Fill the table and read the correspondences from it."""
     sides = []
@@ -310,7 +295,7 @@ def _solve(
         splits, start, middle = find_splits(place, chords, of_source)
         sides.append(Side(chords, splits, start, middle, place.arc))
     source, target = sides
-    table = fill(source, target, windows, bound, stretch)
+    table = fill(source, target, windows, stretch)
     cost, found = wholes(source, target, windows, table, stretch)
     answers = []
     for row in _minima(cost):

@@ -51,7 +51,7 @@ def _ahead(x, start):
 
 @njit(cache=True)
 def near_pairs(count, low, size, triangles, twin, steps):
-    """The partners of each position in rows as in `tween.match_chords.Chords`, at most `steps` diagonals away."""
+    """The partners of each position in rows as in `.chords.Chords`, at most `steps` diagonals away."""
     m = len(low)
     out = boundary(triangles, twin)
     first, end, filled = np.zeros(count + 1, np.int64), np.empty(16 * count, np.int32), 0

@@ -7,16 +7,15 @@ local minima are followed.  Cheap attempts come first; the first one that reache
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
-
 from tween.morphing.matching.levels import Correspondence, Effort, Landmarks, Shape, first_level, next_level
 
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
 
 _GROWTH = 1.35  # of the number of vertices from level to level
-_EFFORTS = (Effort(5, 5, 0.3, 0), Effort(8, 8, 0.15, 1), Effort(12, 11, 0.0, 1), Effort(20, 14, 0.0, 2))
-_SLACK = 1.5  # a level may cost so many times as much as the one before it, then whatever it may
+_EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
+_MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
+_FINE = 160  # vertices from which on images are candidates enough
 
 
 class Attempt(NamedTuple):
@@ -26,18 +25,37 @@ class Attempt(NamedTuple):
     ----------
     first : int
         Vertices of the first level.
+    even : int
+        Evenly spaced candidates on every edge at the first level.
     stretch : float
         Price of stretch at all levels but the last.
     starts : int
-        Local minima of the first level that are followed.
+        Local minima of the first level that are tried with more candidates.
+    efforts : tuple of Effort
+        For each further level, until one can be matched.
+    literal : bool
+        Whether both curves have exactly so many candidates on every edge.
     """
 
     first: int
+    even: int
     stretch: float
     starts: int
+    efforts: tuple[Effort, ...]
+    literal: bool = False
 
 
-_ATTEMPTS = (Attempt(24, 0.0, 3), Attempt(32, 0.0, 3), Attempt(24, 4.0, 3), Attempt(44, 0.0, 2), Attempt(44, 8.0, 2))
+_AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
+_LIGHT = (Effort(9, 6, 0.3, 1), Effort(14, 8, 0.15, 1), Effort(20, 8, 0.0, 2))
+_HEAVY = (Effort(14, 8, 0.15, 1), Effort(24, 10, 0.0, 2), Effort(32, 12, 0.0, 3))
+_ATTEMPTS = (
+    Attempt(24, 1, 0.0, 4, _LIGHT),
+    Attempt(32, 1, 0.0, 4, _LIGHT),
+    Attempt(24, 2, 0.0, 4, _HEAVY),
+    Attempt(24, 1, 4.0, 4, _HEAVY),
+    Attempt(44, 1, 0.0, 2, _HEAVY),
+    Attempt(32, 2, 4.0, 2, _HEAVY),
+)
 
 
 @dataclass(frozen=True)
@@ -72,23 +90,52 @@ def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
         size *= _GROWTH
 
 
-def even_candidates(n: int, m: int) -> tuple[int, int]:
-    """Candidates an edge such that each curve has about twice as many positions as the larger has vertices."""
-    most = max(n, m)
-    return max(1, -(-2 * most // n) - 1), max(1, -(-2 * most // m) - 1)
+def even_candidates(n: int, m: int, even: int = 1) -> tuple[int, int]:
+    """Candidates an edge, so many or as many as give each curve twice the positions that the larger has vertices."""
+    most = (even + 1) * max(n, m)
+    return max(even, -(-most // n) - 1), max(even, -(-most // m) - 1)
 
 
-def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks) -> Found:
-    """Match every disk of the source with every one of the target and return the best that reaches all vertices."""
+def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candidates: int | None) -> Found:
+    """Match every disk of the source with every one of the target and return the best that reaches all vertices.
+
+    Parameters
+    ----------
+    sources, targets : list of Shape
+        The disks that each curve bounds.
+    nodes : Landmarks
+    candidates : int or None
+        See `tween.match.match`.
+
+    Returns
+    -------
+    Found
+        The first one that is complete; where none is, the one that came farthest.
+    """
     best = Found((0, 0), None, (), False)
-    for attempt in _ATTEMPTS:
+    for attempt in _attempts(len(sources[0]), len(targets[0]), candidates):
         for found in _starts(sources, targets, nodes, attempt):
             refined = _refine(sources[found.disks[0]], targets[found.disks[1]], nodes, attempt, found)
             if refined.complete:
                 return refined
-            if best.correspondence is None or sum(refined.levels[-1][:2]) > sum(best.levels[-1][:2]):
+            if _reach(refined) > _reach(best):
                 best = refined
     return best
+
+
+def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
+    """The ladder: of small curves exact tables first, with more and more candidates, then simplified ones."""
+    most = max(n, m)
+    if most > SMALL:
+        return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
+    if candidates is not None:
+        return [Attempt(SMALL, candidates, 0.0, 1, (), True)]
+    exact = [Attempt(SMALL, even, 0.0, 1, ()) for even in _EVEN if (even + 1) * most <= _MOST_POSITIONS or even == 1]
+    return exact + [Attempt(first, 2, 0.0, 2, _HEAVY) for first in (most // 2, most // 3) if first > 3]
+
+
+def _reach(found: Found) -> int:
+    return sum(found.levels[-1][:2]) if found.levels else 0
 
 
 def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: Attempt) -> list[Found]:
@@ -97,10 +144,19 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
     for s, S in enumerate(sources):
         for t, T in enumerate(targets):
             sizes = sizes_of_levels(len(S), len(T), attempt.first)[0]
-            candidates = even_candidates(*sizes)
-            for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch, np.inf):
+            candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
+            for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
-    return sorted(starts, key=lambda found: found.levels[0][2])[: attempt.starts]
+    starts.sort(key=lambda found: found.levels[0][2])
+    if not starts or starts[0].complete:
+        return starts[:1]
+    again = []
+    for found in starts[: attempt.starts]:
+        S, T, sizes = sources[found.disks[0]], targets[found.disks[1]], found.levels[0][:2]
+        better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
+        if better is not None:
+            again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
+    return sorted(again, key=lambda found: found.levels[0][2]) + starts[:1]
 
 
 def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found) -> Found:
@@ -110,7 +166,7 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
     T.prepare([m for _, m in sizes])
     last, levels = start.correspondence, list(start.levels)
     for n, m in sizes[1:]:
-        finer = _climb(S, T, (n, m), last, nodes, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
+        finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
         if finer is None:
             return Found(start.disks, last, tuple(levels), False)
         last = finer
@@ -119,12 +175,19 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
 
 
 def _climb(
-    S: Shape, T: Shape, sizes: tuple[int, int], last: Correspondence, nodes: Landmarks, stretch: float
+    S: Shape,
+    T: Shape,
+    sizes: tuple[int, int],
+    last: Correspondence,
+    nodes: Landmarks,
+    attempt: Attempt,
+    stretch: float,
 ) -> Correspondence | None:
     """One level, with more and more effort until it can be matched."""
-    for effort in _EFFORTS:
-        for bound in (_SLACK * last.cost + 1.0, np.inf):
-            finer = next_level(S, T, sizes, last, nodes, effort, stretch, bound)
-            if finer is not None:
-                return finer
+    for effort in attempt.efforts:
+        if max(sizes) > _FINE:
+            effort = effort._replace(even=effort.even - 1)
+        finer = next_level(S, T, sizes, last, nodes, effort, stretch)
+        if finer is not None:
+            return finer
     return None
