@@ -6,6 +6,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+import experiments.claims.measure  # noqa: F401, it enters the claims of all sections
 from experiments import store
 from experiments.claims import ledger as claims
 
