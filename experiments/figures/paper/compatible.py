@@ -65,8 +65,10 @@ def share_of_tenth(amounts: NDArray[np.float64]) -> float:
 
 
 def common_size(source: Any, target: Any) -> tuple[Triangulation, Triangulation]:
-    """A common triangulation of two curves, the target scaled to the source's area."""
-    m = morph(source, target, strategy="common")
+    """Two curves with the same triangles, remeshed where that makes them so; the target scaled to the source's area."""
+    m = paper_morph(source, target)
+    if m.events:
+        m = morph(source, target, strategy="common")
     scale = np.sqrt(m.source.areas.sum() / m.target.areas.sum())
     return m.source, m.target.moved(scale * m.target.points)
 
