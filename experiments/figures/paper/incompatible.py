@@ -47,7 +47,7 @@ def flow(name: str, end: int) -> Flow:
     alignment = align(*gallery.pair(name))
     shapes = (alignment.source, alignment.target)
     mine, other = shapes[end], shapes[1 - end]
-    return Flow(mine, flip_sequence(mine, other), "slide", "disk-center", "partial")
+    return Flow(mine, flip_sequence(mine, other), "slide", "disk-center", "sequential")
 
 
 def flip_times(name: str, end: int) -> NDArray[np.float64]:
