@@ -22,7 +22,7 @@ from scipy.sparse.linalg import splu
 from tween.errors import IncompatibleError, TriangulationError
 from tween.geometry.dual_tree import rooted
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import match
+from tween.morphing.alignment import renumbered
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.morph import Morph
 
@@ -47,7 +47,7 @@ class Baseline(Morph):
     def __init__(self, name: str, source: Triangulation, target: Triangulation, at: Callable[[_Floats], _Complexes]):
         rows = np.arange(len(source))
         stages = [(0.0, source.triangles)]
-        super().__init__(_Still(at, stages), match(source, target, 0, None, rows, rows), backwards=False, shift=0)
+        super().__init__(_Still(at, stages), renumbered(source, target, 0, None, rows, rows), backwards=False, shift=0)
         self.name = name
 
     def __repr__(self) -> str:
@@ -227,7 +227,7 @@ def _matched(source: Triangulation, target: Triangulation) -> tuple[_Complexes, 
     """Return the points of both where there are equally many."""
     if len(source) != len(target):
         raise IncompatibleError(
-            f"the target has {len(target)} vertices, expected {len(source)} as the source has; `align` inserts some"
+            f"the target has {len(target)} vertices, expected {len(source)} as the source has; tween.match inserts some"
         )
     p, q = (np.ascontiguousarray(shape.points).view(np.complex128)[:, 0] for shape in (source, target))
     return p, q
