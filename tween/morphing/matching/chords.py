@@ -7,8 +7,9 @@ curve from position i on to position j, cut off by the segment between them.  It
     STRAIGHT  the segment runs inside the immersed disk and meets its curve at the two ends only
     ROUND     i and j lie on one closed edge, i after j: the part is all the rest of the curve
 
-and a *split* of (i, j) is a position k between such that (i, k) and (k, j) are chords and i, k, j is a counter-clockwise
-triangle.  Three positions on one line of edges never make a triangle, whatever the signs of their rounded coordinates.
+and a *split* of (i, j) is a position k between such that (i, k) and (k, j) are chords and i, k, j is a
+counter-clockwise triangle.  Three positions on one line of edges never make a triangle, whatever the signs of their
+rounded coordinates.
 
 Whether a chord is straight is decided by a walk from i to j through the triangles of the immersed disk, so a curve that
 bounds several disks has the chords of the one that is meant.
@@ -132,15 +133,10 @@ def straight_lines(points):
     return line - 1
 
 
-@njit(cache=True)
-def all_pairs(count):
+def all_pairs(count: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
     """All positions as partners of each, rows as in `Chords`."""
-    first = np.arange(count + 1) * (count - 1)
-    end = np.empty(count * (count - 1), np.int32)
-    for p in range(count):
-        for step in range(1, count):
-            end[first[p] + step - 1] = (p + step) % count
-    return first, end
+    end = (np.arange(count)[:, None] + np.arange(1, count)) % count
+    return np.arange(count + 1) * (count - 1), end.ravel().astype(np.int32)
 
 
 @njit(cache=True)
@@ -250,29 +246,32 @@ def _sector(disk, h, goal, goal_vertex):
     return -1
 
 
-@njit(cache=True)
-def find_splits(positions, chords, by_whole):
+def find_splits(
+    positions: Positions, chords: Chords, by_whole: bool
+) -> tuple[Splits, NDArray[np.int64], NDArray[np.int64]]:
     """List the splits, in order of their whole chords or, for the target, of their left ones.
 
-    Returns the splits and the first one of every chord.  Among those of one left chord the splits of STRAIGHT chords
-    come before those of ROUND ones; ``middle`` tells where these begin.
+    Parameters
+    ----------
+    positions : Positions
+    chords : Chords
+    by_whole : bool
+
+    Returns
+    -------
+    splits : Splits
+    first : ndarray of int, shape (c + 1,)
+        The splits of chord e are ``first[e] : first[e + 1]``.
+    middle : ndarray of int, shape (c,)
+        Among those of one left chord the splits of STRAIGHT chords come before those of ROUND ones, which begin here.
     """
     left, right, whole = _triangles(positions, chords)
     count = len(chords.start)
-    key = whole.astype(np.int64)
-    if not by_whole:
-        key = 2 * left.astype(np.int64)
-        for s in range(len(left)):
-            key[s] += chords.kind[whole[s]] == ROUND
-    order = np.argsort(key, kind="mergesort")
-    left, right, whole, key = left[order], right[order], whole[order], key[order]
-    if by_whole:
-        first = np.searchsorted(key, np.arange(count + 1))
-        middle = first[1:].copy()
-    else:
-        first = np.searchsorted(key, 2 * np.arange(count + 1))
-        middle = np.searchsorted(key, 2 * np.arange(count) + 1)
-    return _measured(positions.scaled, chords, left, right, whole), first, middle
+    key = 2 * whole.astype(np.int64) if by_whole else 2 * left.astype(np.int64) + (chords.kind[whole] == ROUND)
+    order = np.argsort(key, kind="stable")
+    bounds = np.searchsorted(key[order], np.arange(2 * count + 1))
+    splits = _measured(positions.scaled, chords, left[order], right[order], whole[order])
+    return splits, bounds[::2].copy(), bounds[1::2].copy()
 
 
 @njit(cache=True)

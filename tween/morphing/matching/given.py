@@ -1,4 +1,5 @@
-r"""What a matching is given: shapes, numbered so that the answer does not depend on where a curve starts, and landmarks.
+r"""What a matching is given: shapes, numbered so that the answer does not depend on where a curve starts, and
+landmarks.
 
 Every curve is renumbered from its *canonical* vertex: the one from which its edges, with their lengths and turns, come
 first in the dictionary.  That is the same vertex for a similar curve that starts elsewhere.

@@ -1,9 +1,9 @@
 r"""The product table: the best correspondence and the best common triangulation of two curves at once.
 
-A *node* (x, a) matches a position of the source S with one of the target T, at least one of them a vertex.  A *state* is
-a pair of chords, (i, j) of S and (a, b) of T, whose ends are nodes: the part i..j of S is matched with the part a..b of T.
-It costs nothing, or a price of stretch, where both parts are a piece of an edge.  Otherwise a split (i, k, j) of S
-and a split (a, c, b) of T divide it:
+A *node* (x, a) matches a position of the source S with one of the target T, at least one of them a vertex.  A *state*
+is a pair of chords, (i, j) of S and (a, b) of T, whose ends are nodes: the part i..j of S is matched with the part
+a..b of T.  It costs nothing, or a price of stretch, where both parts are a piece of an edge.  Otherwise a split (i, k,
+j) of S and a split (a, c, b) of T divide it:
 
         k                       c          cost(i j, a b) = energy of the triangles i k j and a c b
       /   \                   /   \                         + cost(i k, a c) + cost(k j, c b)
@@ -12,8 +12,9 @@ and a split (a, c, b) of T divide it:
 S is cut open at its vertex 0; T is a ring.  The whole is a pair of ROUND chords (0, k), (a, c), the rest of both curves
 from k and c on being a piece of an edge.
 
-Costs count from the least that is possible, twice the areas of both triangles, so they are never negative.  Target positions that a source position may be matched with lie in its
-*window*, ``width`` positions from ``low`` on; the costs of a chord (i, j) make a small matrix, width[i] by width[j].
+Costs count from the least that is possible, twice the areas of both triangles, so they are never negative.  Target
+positions that a source position may be matched with lie in its *window*, ``width`` positions from ``low`` on; the
+costs of a chord (i, j) make a small matrix, width[i] by width[j].
 
 Legend: ``e`` chord of S; ``f`` chord of T; ``s r`` split of S and of T; ``i k j``, ``a c b`` positions.
 """

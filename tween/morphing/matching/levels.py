@@ -1,9 +1,9 @@
 r"""From coarse to fine: one level of the matching, and the way from each to the next.
 
-At the first level both curves are simplified and the product table is solved in full, with evenly spaced candidates.  At
-every further one there are more vertices, the candidates are the *images* of the other curve's vertices under the last
-correspondence, and the table is narrow: a position may be matched with the few that lie around its image, and only
-chords near the last triangulation take part, see `.reach`.
+At the first level both curves are simplified and the product table is solved in full, with evenly spaced candidates.
+At every further one there are more vertices, the candidates are the *images* of the other curve's vertices under the
+last correspondence, and the table is narrow: a position may be matched with the few that lie around its image, and
+only chords near the last triangulation take part, see `.reach`.
 
 Legend: ``S T`` the shapes; an *arc* is a place along the whole curve, as a share of its length from vertex 0.
 """
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.matching.chords import Chords, Disk, Positions, all_pairs, find_chords, find_splits, straight_lines
 from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
-from tween.morphing.matching.reach import gap_ranges, near_pairs
+from tween.morphing.matching.reach import near_pairs
 from tween.morphing.matching.simplify import Level, boundary, simplify
 
 _APART = 1e-9  # of the curve's length: candidates nearer to each other than this are one
@@ -108,10 +108,8 @@ def scaled(T: Triangulation) -> _Floats:
 
 def _distinct(places: _Floats, vertices: _Floats) -> _Floats:
     """Drop places too near to the one before or to a vertex."""
-    near = np.abs(places[:, None] - vertices[None, :]).min(axis=1) if len(places) * len(vertices) < 10**6 else None
-    if near is None:
-        right = np.clip(np.searchsorted(vertices, places), 1, len(vertices) - 1)
-        near = np.minimum(np.abs(places - vertices[right - 1]), np.abs(vertices[right] - places))
+    right = np.clip(np.searchsorted(vertices, places), 1, len(vertices) - 1)
+    near = np.minimum(np.abs(places - vertices[right - 1]), np.abs(vertices[right] - places))
     places = places[near > _APART]
     return places[np.diff(places, prepend=-1.0) > _APART]
 
@@ -139,6 +137,11 @@ class Correspondence:
     target_points: _Floats
     triangles: NDArray[np.int64]
     cost: float
+
+    @property
+    def places(self) -> tuple[tuple[_Floats, _Floats], tuple[_Floats, _Floats]]:
+        """Arcs and points of the nodes on the source, and on the target."""
+        return (self.source_arc, self.source_points), (self.target_arc, self.target_points)
 
     @cached_property
     def twin(self) -> NDArray[np.int64]:
@@ -173,12 +176,15 @@ class Effort(NamedTuple):
         An image this near to a vertex, as a share of the distance to the next, gives way to it.
     even : int
         Evenly spaced candidates on every edge, besides the images.
+    most : int
+        Partners of a position, more or less.
     """
 
     band: int
     steps: int
     merge: float
     even: int
+    most: int = 120
 
 
 def first_level(
@@ -222,8 +228,8 @@ def next_level(
     target = T.positions(levels[1], _images(last.to_target(arcs[0]), arcs[1], effort))
     windows = nodes.restrict(_band(source, target, last, effort.band), source, target, levels)
     pairs = [
-        near_pairs(len(p.arc), *gap_ranges(p.arc, arc), last.triangles, last.twin, effort.steps)
-        for p, arc in ((source, last.source_arc), (target, last.target_arc))
+        near_pairs(p.arc, *nodes_of, last.triangles, last.twin, effort.steps, effort.most)
+        for p, nodes_of in zip((source, target), last.places, strict=True)
     ]
     found = _solve((S, T), levels, (source, target), pairs, windows, stretch)
     return found[0] if found else None

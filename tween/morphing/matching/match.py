@@ -5,14 +5,15 @@ on the edges of one opposite vertices of the other.  Of all correspondences, ins
 triangulations it takes those of least energy: exactly, by one table, on curves of few vertices (`.kernels`);
 level by level from simplified curves on others (`.levels`).
 
-The energy of the map between the shapes is the symmetric Dirichlet energy, both scaled to area 1.  Of a triangle of area
-A mapped affinely to one of area B, with singular values in the ratio k, it is (A + B) (k + 1/k).  So 4 is the least in
-all, reached where every triangle keeps its shape.
+The energy of the map between the shapes is the symmetric Dirichlet energy, both scaled to area 1.  Of a triangle of
+area A mapped affinely to one of area B, with singular values in the ratio k, it is (A + B) (k + 1/k).  So 4 is the
+least in all, reached where every triangle keeps its shape.
 
 References
 ----------
-Mukherjee and Gopi, Section 8, leave open how "to align multiple features, and retriangulate the curve based on this alignment".
-J. Smith and S. Schaefer, *Bijective parameterization with free boundaries*, ACM Transactions on Graphics 34 (2015): the energy.
+Mukherjee and Gopi, Section 8, leave open how "to align multiple features, and retriangulate the curve based on this
+alignment". J. Smith and S. Schaefer, *Bijective parameterization with free boundaries*, ACM Transactions on Graphics
+34 (2015): the energy.
 """
 
 from collections.abc import Sequence

@@ -2,17 +2,20 @@ r"""Which pairs of positions a finer level looks at: those with few diagonals of
 
 The nodes of the coarser level divide both curves into gaps, gap r from node r to the next; each gap lies before one
 triangle.  From a position the dual tree is walked over so many diagonals, and the positions in the gaps that are met
-are its partners.  So a level costs in proportion to its positions, whatever the shape.
+are its partners; so are the nodes on the way from there to ever larger triangles.  So a level costs in proportion to
+its positions, whatever the shape.
 
 Legend: ``r`` gap or node; ``p q`` positions.
 """
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from tween.morphing.matching.simplify import boundary
 
 _ON_NODE = 1e-12  # of the curve's length
+_FARTHER = 40  # triangles on the way to larger ones
 
 
 @njit(cache=True)
@@ -49,9 +52,58 @@ def _ahead(x, start):
     return 0.0 if d > 1.0 - _ON_NODE else d
 
 
+def near_pairs(
+    arc: NDArray[np.float64],
+    nodes: NDArray[np.float64],
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int64],
+    twin: NDArray[np.int64],
+    steps: int,
+    enough: int,
+) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    """Find the partners of each position.
+
+    Parameters
+    ----------
+    arc : ndarray of float64, shape (p,)
+        Places of the positions, ascending around the curve.
+    nodes : ndarray of float64, shape (m,)
+        Places of the coarser level's nodes.
+    points : ndarray of float64, shape (m, 2)
+        The nodes themselves.
+    triangles : ndarray of int, shape (m-2, 3)
+    twin : ndarray of int, shape (3 * (m-2),)
+    steps : int
+        Diagonals that may lie between two positions.
+    enough : int
+        Where a position has so many partners, none are looked for beyond the next two diagonals.
+
+    Returns
+    -------
+    first : ndarray of int, shape (p + 1,)
+    end : ndarray of int32
+        Rows as in `.chords.Chords`: the partners of p are ``end[first[p] : first[p + 1]]``.
+    """
+    count, (low, size) = len(arc), gap_ranges(arc, nodes)
+    across = _longest_sides(points, triangles)
+    first, end = _near(count, low, size, triangles, twin, across, steps, enough)
+    start = np.repeat(np.arange(count), np.diff(first))
+    both = np.concatenate([start * count + (end - start) % count, end * count + (start - end) % count])
+    start, ahead = np.divmod(np.unique(both), count)
+    return np.searchsorted(start, np.arange(count + 1)), ((start + ahead) % count).astype(np.int32)
+
+
+def _longest_sides(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The longest side of each triangle: slot s is the side from corner s to the next."""
+    corners = points[triangles]
+    sides = np.roll(corners, -1, axis=1) - corners
+    longest: NDArray[np.int64] = np.argmax(np.hypot(sides[..., 0], sides[..., 1]), axis=1)
+    return longest
+
+
 @njit(cache=True)
-def near_pairs(count, low, size, triangles, twin, steps):
-    """The partners of each position in rows as in `.chords.Chords`, at most `steps` diagonals away."""
+def _near(count, low, size, triangles, twin, across, steps, enough):
+    """The partners of each position, in the order in which they are met."""
     m = len(low)
     out = boundary(triangles, twin)
     first, end, filled = np.zeros(count + 1, np.int64), np.empty(16 * count, np.int32), 0
@@ -77,21 +129,25 @@ def near_pairs(count, low, size, triangles, twin, steps):
                             if filled == len(end):
                                 end = np.concatenate((end, np.empty_like(end)))
                             end[filled], filled = q, filled + 1
-                elif depth[head] < steps and seen[g // 3] != p:
+                elif seen[g // 3] != p and (depth[head] < steps if filled - begin < enough else depth[head] < 2):
                     seen[g // 3], queue[tail], depth[tail], tail = p, g // 3, depth[head] + 1, tail + 1
             head += 1
-        _sort_around(end[begin:filled], p)
+        # beyond, only the nodes met on the way to ever larger triangles: they see what small ones beside p do not
+        t, h = queue[0], np.int64(-1)
+        for _ in range(_FARTHER):
+            if filled + 3 > len(end):
+                end = np.concatenate((end, np.empty_like(end)))
+            for s in range(3):
+                q = low[triangles[t, s]] if size[triangles[t, s]] > 0 else p
+                if met[q] != p and q != p:
+                    met[q] = p
+                    end[filled], filled = q, filled + 1
+            g = twin[3 * t + across[t]]
+            if g < 0 or 3 * t + across[t] == h:
+                break
+            t, h = g // 3, g
         first[p + 1] = filled
     return first, end[:filled].copy()
-
-
-@njit(cache=True)
-def _sort_around(row, p):
-    """Sort the partners of p in the order in which the curve meets them from p on."""
-    row.sort()
-    later = row[row > p].copy()
-    earlier = row[row < p].copy()
-    row[: len(later)], row[len(later) :] = later, earlier
 
 
 @njit(cache=True)

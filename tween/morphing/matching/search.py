@@ -12,10 +12,13 @@ from tween.morphing.matching.levels import Correspondence, Effort, Landmarks, Sh
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
 
-_GROWTH = 1.35  # of the number of vertices from level to level
+_GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
+_LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
+_MOST_DIVISIONS = 4  # of steps between levels in which nothing was found, in one attempt
+_LARGE = 400  # vertices from which on only the first attempts are made
 _EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
 _MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
-_FINE = 160  # vertices from which on images are candidates enough
+_FINE = 160  # vertices from which on images are candidates enough, and the last correspondence is good
 
 
 class Attempt(NamedTuple):
@@ -48,6 +51,7 @@ class Attempt(NamedTuple):
 _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
 _LIGHT = (Effort(9, 6, 0.3, 1), Effort(14, 8, 0.15, 1), Effort(20, 8, 0.0, 2))
 _HEAVY = (Effort(14, 8, 0.15, 1), Effort(24, 10, 0.0, 2), Effort(32, 12, 0.0, 3))
+_NARROW = (Effort(5, 5, 0.3, 0, 60), Effort(6, 5, 0.0, 0, 60), Effort(10, 7, 0.0, 1, 120))
 _ATTEMPTS = (
     Attempt(24, 1, 0.0, 4, _LIGHT),
     Attempt(32, 1, 0.0, 4, _LIGHT),
@@ -83,11 +87,10 @@ class Found:
 def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
     """Numbers of vertices of two curves level by level."""
     sizes, size = [], float(first)
-    while True:
+    while size * _LEAST_GROWTH < max(n, m):
         sizes.append((min(n, round(size)), min(m, round(size))))
-        if sizes[-1] == (n, m):
-            return sizes
-        size *= _GROWTH
+        size *= _GROWTH if size < _FINE else _FINE_GROWTH
+    return [*sizes, (n, m)]
 
 
 def even_candidates(n: int, m: int, even: int = 1) -> tuple[int, int]:
@@ -126,6 +129,8 @@ def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candida
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
     """The ladder: of small curves exact tables first, with more and more candidates, then simplified ones."""
     most = max(n, m)
+    if most > _LARGE:
+        return [attempt._replace(starts=2) for attempt in _ATTEMPTS[:2]]
     if most > SMALL:
         return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
     if candidates is not None:
@@ -164,14 +169,26 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
     sizes = sizes_of_levels(len(S), len(T), attempt.first)
     S.prepare([n for n, _ in sizes])
     T.prepare([m for _, m in sizes])
-    last, levels = start.correspondence, list(start.levels)
-    for n, m in sizes[1:]:
+    last, levels, ahead, divided = start.correspondence, list(start.levels), sizes[:0:-1], 0
+    while ahead:
+        n, m = ahead.pop()
         finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
-        if finer is None:
+        if finer is not None:
+            last = finer
+            levels.append((n, m, last.cost + 4.0))
+            continue
+        between = _between(levels[-1][:2], (n, m))
+        if between is None or divided == _MOST_DIVISIONS:
             return Found(start.disks, last, tuple(levels), False)
-        last = finer
-        levels.append((n, m, last.cost + 4.0))
+        ahead += [(n, m), between]
+        divided += 1
     return Found(start.disks, last, tuple(levels), True)
+
+
+def _between(coarse: tuple[int, int], fine: tuple[int, int]) -> tuple[int, int] | None:
+    """Numbers of vertices half-way between two levels."""
+    middle = ((coarse[0] + fine[0]) // 2, (coarse[1] + fine[1]) // 2)
+    return None if middle == coarse else middle
 
 
 def _climb(
@@ -184,9 +201,7 @@ def _climb(
     stretch: float,
 ) -> Correspondence | None:
     """One level, with more and more effort until it can be matched."""
-    for effort in attempt.efforts:
-        if max(sizes) > _FINE:
-            effort = effort._replace(even=effort.even - 1)
+    for effort in attempt.efforts if max(sizes) <= _FINE else _NARROW:
         finer = next_level(S, T, sizes, last, nodes, effort, stretch)
         if finer is not None:
             return finer

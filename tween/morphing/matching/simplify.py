@@ -21,17 +21,15 @@ References
 ----------
 M. Visvalingam and J. D. Whyatt, *Line generalisation by repeated elimination of points*, The Cartographic Journal 30
 (1993) 46-51: the vertex of the smallest triangle goes first.
-O. Devillers, *On deletion in Delaunay triangulations* (1999): ears of a star-shaped polygon.
 """
 
-import heapq
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.geometry.predicates import in_circumcircle, turn
+from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
 
 
@@ -69,7 +67,7 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> li
     Notes
     -----
     Areas that agree to about seven digits count as equal, and then the vertex of smallest number goes first.
-    O(n log n) as a rule.
+    O(n**2), of which each step is one comparison: a tenth of a second for 10,000 vertices.
 
     Examples
     --------
@@ -91,21 +89,21 @@ def _simplify(points, triangles, twin, fixed, sizes):
     n = len(points)
     out = boundary(triangles, twin)
     before, after = (np.arange(n) - 1) % n, (np.arange(n) + 1) % n
-    alive, blocked, stamp = np.ones(n, np.bool_), np.zeros(n, np.bool_), np.zeros(n, np.int64)
-    gone = np.zeros(len(triangles), np.bool_)
+    alive, gone = np.ones(n, np.bool_), np.zeros(len(triangles), np.bool_)
     kept, lists = np.zeros((len(sizes), n), np.bool_), np.zeros((len(sizes), n, 3), np.int64)
     counts, left = np.zeros(len(sizes), np.int64), n
-    heap = [(_importance(points, v - 1, v, (v + 1) % n), v, 0) for v in range(n)]
-    heapq.heapify(heap)
+    importance = np.empty(n)  # infinite where a vertex stays, or cannot go as long as nothing changes around it
+    for v in range(n):
+        importance[v] = np.inf if fixed[v] else _importance(points, before[v], v, after[v])
     link, around, past = np.empty(n + 2, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
     for row in range(len(sizes)):
-        while left > max(3, sizes[row]) and len(heap) > 0:
-            _, v, when = heapq.heappop(heap)
-            if not alive[v] or fixed[v] or when != stamp[v]:
-                continue
+        while left > max(3, sizes[row]):
+            v = _least(importance)
+            if importance[v] == np.inf:
+                break
+            importance[v] = np.inf
             size = _star(triangles, twin, out[v], link, around, past)
             if not _may_go(points, before, after, v, link[:size]):
-                blocked[v] = True
                 continue
             gone[around[size - 2]] = True
             a, b = before[v], after[v]
@@ -113,13 +111,33 @@ def _simplify(points, triangles, twin, fixed, sizes):
             _fill(points, triangles, twin, out, size, link, around, past)
             link[size], link[size + 1] = before[a], after[b]
             for x in link[: size + 2]:
-                if blocked[x] or x == a or x == b:
-                    blocked[x] = False
-                    stamp[x] += 1
-                    heapq.heappush(heap, (_importance(points, before[x], x, after[x]), x, stamp[x]))
-        kept[row], counts[row] = alive, left
-        lists[row, : left - 2] = triangles[~gone]
+                if not fixed[x]:
+                    importance[x] = _importance(points, before[x], x, after[x])
+        _record(triangles, gone, alive, kept[row], lists[row])
+        counts[row] = left
     return kept, lists, counts
+
+
+@njit(cache=True)
+def _least(values):
+    """Where the first of the smallest values is."""
+    best = 0
+    for v in range(1, len(values)):
+        if values[v] < values[best]:
+            best = v
+    return best
+
+
+@njit(cache=True)
+def _record(triangles, gone, alive, kept, rows):
+    """Write down what is left."""
+    for v in range(len(alive)):
+        kept[v] = alive[v]
+    size = 0
+    for t in range(len(gone)):
+        if not gone[t]:
+            rows[size, 0], rows[size, 1], rows[size, 2] = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+            size += 1
 
 
 @njit(cache=True)
@@ -138,7 +156,7 @@ def _importance(points, a, v, b):
     ux, uy = points[v, 0] - points[a, 0], points[v, 1] - points[a, 1]
     wx, wy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
     cross, size = abs(ux * wy - uy * wx), wx * wx + wy * wy
-    return np.float32(cross) if cross > 1e-12 * size else np.float32(0.0)
+    return np.float64(np.float32(cross)) if cross > 1e-12 * size else 0.0
 
 
 @njit(cache=True)
@@ -207,20 +225,23 @@ def _join(triangles, twin, out, h, g):
 
 @njit(cache=True)
 def _ear(points, polygon, size):
-    """A tip whose triangle holds no other vertex; of those, the one whose circle holds fewest."""
-    best, fewest = -1, size
+    """A tip whose triangle holds no other vertex; of those, the one with the shortest side across."""
+    best, shortest = -1, np.inf
     for i in range(1, size - 1):
-        x, y, z = polygon[i - 1], polygon[i], polygon[i + 1]
-        if turn(points, x, y, z) <= 0:
-            continue
-        inside = 0
-        for m in range(size):
-            w = polygon[m]
-            if abs(m - i) <= 1 or in_circumcircle(points, x, y, z, w) < 0:
-                continue
-            inside += 1
-            if turn(points, x, y, w) >= 0 and turn(points, y, z, w) >= 0 and turn(points, z, x, w) >= 0:
-                inside = size
-        if inside < fewest:
-            best, fewest = i, inside
+        x, z = points[polygon[i - 1]], points[polygon[i + 1]]
+        across = (x[0] - z[0]) ** 2 + (x[1] - z[1]) ** 2
+        if across < shortest and _is_ear(points, polygon, size, i):
+            best, shortest = i, across
     return best
+
+
+@njit(cache=True)
+def _is_ear(points, polygon, size, i):
+    x, y, z = polygon[i - 1], polygon[i], polygon[i + 1]
+    if turn(points, x, y, z) <= 0:
+        return False
+    for m in range(size):
+        w = polygon[m]
+        if abs(m - i) > 1 and turn(points, x, y, w) >= 0 and turn(points, y, z, w) >= 0 and turn(points, z, x, w) >= 0:
+            return False
+    return True

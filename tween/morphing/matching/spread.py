@@ -1,4 +1,5 @@
-r"""Where the last levels cannot be matched: all vertices spread by a coarser correspondence, each curve with its own triangles.
+r"""Where the last levels cannot be matched: all vertices spread by a coarser correspondence, each curve with its own
+triangles.
 
 The nodes of the coarser level are kept; every other vertex gets its image on the other curve as a partner.
 """
