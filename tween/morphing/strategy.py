@@ -22,6 +22,7 @@ from tween.morphing.alignment import (
     least_distorted,
     match,
 )
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
@@ -39,13 +40,13 @@ _BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex 
 
 
 class _Choices(NamedTuple):
-    """How a morph moves; `root_of_target` says that a root given by number is a triangle of the target."""
+    """How a morph moves; `exchanged` says that the caller wants it from the target to the source."""
 
     path: Path
     root: Root
     guarantee: bool
     order: Order = "partial"
-    root_of_target: bool = False
+    exchanged: bool = False
 
     @property
     def proof(self) -> str:
@@ -131,7 +132,7 @@ def morph(
     if _key(first, origins[0]) > _key(second, origins[1]):
         turned = shifts if isinstance(shifts, str) else -int(shifts)
         alignment = _aligned(strategy, second, first, origins[::-1], turned, given)
-        return _between(alignment, choices._replace(root_of_target=True)).reversed()
+        return _between(alignment, choices._replace(exchanged=True))
     return _between(_aligned(strategy, first, second, origins, shifts, given), choices)
 
 
@@ -180,9 +181,7 @@ def morph_compatible(
     every = np.arange(len(source))
     choices = _Choices(path, root, guarantee)
     if _key(source, every) > _key(target, every):
-        return _between(
-            Alignment(target, source, 0, every, every, None, 0), choices._replace(root_of_target=True)
-        ).reversed()
+        return _between(Alignment(target, source, 0, every, every, None, 0), choices._replace(exchanged=True))
     return _between(Alignment(source, target, 0, every, every, None, 0), choices)
 
 
@@ -274,8 +273,18 @@ class _Compatible:
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         return self._leg.at(t)
 
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        return self._leg.first_doubt(placing)
+
 
 def _between(alignment: Alignment, choices: _Choices) -> Morph:
+    """The morph; in the caller's numbers already where a guarantee cannot be given, and that is said."""
+    m = _moved(alignment, choices)
+    m = m.reversed() if choices.exchanged else m
+    return m.guaranteed() if choices.guarantee else m
+
+
+def _moved(alignment: Alignment, choices: _Choices) -> Morph:
     """Move straight where the triangles are the same, and through flips where they are not."""
     if alignment.crossings == 0:
         return Morph(_Compatible(_straight(alignment, choices)), alignment, proof=choices.proof)
@@ -286,7 +295,7 @@ def _straight(alignment: Alignment, choices: _Choices) -> Leg:
     first = alignment.source
     second = first.moved(alignment.target.points)
     root = choices.root
-    if not isinstance(root, str) and choices.root_of_target:
+    if not isinstance(root, str) and choices.exchanged:
         root = _row(root_triangle(root, alignment.target), alignment.target.triangles, first.triangles)
     return Leg(first, second.points, choices.path, root_triangle(root, first, second), choices.guarantee)
 
@@ -309,10 +318,10 @@ def _flow_roots(
     """The root of each flow; a triangle given by number is followed through the flips to the other shape."""
     if isinstance(choices.root, str):
         return [choices.root, choices.root]
-    here = int(choices.root_of_target)
+    here = int(choices.exchanged)
     row = root_triangle(choices.root, shapes[here])
     there = _row(row, _after(shapes[here], sequences[here]), shapes[1 - here].triangles)
-    return [there, row] if choices.root_of_target else [row, there]
+    return [there, row] if choices.exchanged else [row, there]
 
 
 def _row(row: int, triangles: NDArray[np.int64], others: NDArray[np.int64]) -> int:

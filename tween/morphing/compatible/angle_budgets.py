@@ -36,8 +36,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.morphing.compatible.paths import apex, third_angle
+
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
-_SHARE = 0.999  # of what a vertex has left below 2 pi
+RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
 _ROUNDING = 1e-9  # of a sum of angles
 
 
@@ -78,8 +80,48 @@ def no_budgets(m: int) -> Budgets:
     return Budgets(none, none, none, none, np.zeros((m, 2)))
 
 
+def left_over(corners: NDArray[np.int64], angles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What every vertex has left below 2 pi.
+
+    Parameters
+    ----------
+    corners : ndarray of int, shape (m, 3)
+    angles : ndarray of float64, shape (m, 3)
+        Angles at these corners.
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Radians.
+    """
+    return np.asarray(2 * np.pi - np.bincount(corners.ravel(), angles.ravel()))
+
+
+def default_reserve(
+    corners: NDArray[np.int64], first: NDArray[np.float64], last: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """What budgets leave untouched at every vertex, at times 0 and 1.
+
+    Parameters
+    ----------
+    corners : ndarray of int, shape (m, 3)
+    first, last : ndarray of float64, shape (m, 3)
+        Angles at these corners at times 0 and 1.
+
+    Returns
+    -------
+    ndarray of float64, shape (2, n)
+        A sixty-fourth of what is left below 2 pi.
+    """
+    return np.stack([RESERVE * left_over(corners, angles) for angles in (first, last)])
+
+
 def budgets_at(
-    vertices: NDArray[np.bool_], corners: NDArray[np.int64], first: NDArray[np.float64], last: NDArray[np.float64]
+    vertices: NDArray[np.bool_],
+    corners: NDArray[np.int64],
+    first: NDArray[np.float64],
+    last: NDArray[np.float64],
+    reserve: NDArray[np.float64] | None = None,
 ) -> Budgets:
     """Give budgets to some vertices.
 
@@ -90,6 +132,8 @@ def budgets_at(
     corners : ndarray of int, shape (m, 3)
     first, last : ndarray of float64, shape (m, 3)
         Angles at these corners at times 0 and 1.
+    reserve : ndarray of float64, shape (2, n), optional
+        See `default_reserve`.
 
     Returns
     -------
@@ -97,9 +141,10 @@ def budgets_at(
     """
     count = np.bincount(corners.ravel(), minlength=len(vertices))
     limits = []
-    for angles in (first, last):
-        left = 2 * np.pi - np.bincount(corners.ravel(), angles.ravel(), len(vertices))
-        limits.append(np.where(vertices[corners], angles + (_SHARE * left / count)[corners], np.inf))
+    kept = default_reserve(corners, first, last) if reserve is None else reserve
+    for angles, untouched in zip((first, last), kept, strict=True):
+        spare = np.maximum(left_over(corners, angles) - untouched, 0.0)
+        limits.append(np.where(vertices[corners], angles + (spare / count)[corners], np.inf))
     low, high = limits
     return Budgets(first, last, low, high, _sides(first, last, low, high))
 
@@ -136,7 +181,8 @@ def proved_budgets(
     first: NDArray[np.float64],
     last: NDArray[np.float64],
     bounds: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.float64]],
-) -> Budgets:
+    reserve: NDArray[np.float64] | None = None,
+) -> tuple[Budgets, NDArray[np.float64]]:
     """Give budgets to the vertices that are not proved to stay below 2 pi without one.
 
     Parameters
@@ -147,10 +193,14 @@ def proved_budgets(
     bounds : callable
         From times, shape (k,), and rows of `corners`, shape (r,), to bounds of their angles, in the motion without
         budgets, between neighbouring times, shape (r, 3, k-1).
+    reserve : ndarray of float64, shape (2, n), optional
+        See `default_reserve`.
 
     Returns
     -------
     Budgets
+    slack : ndarray of float64, shape (n,)
+        What vertices without a budget are proved to have left below 2 pi at all times; negative for others.
 
     Notes
     -----
@@ -164,22 +214,24 @@ def proved_budgets(
     def touches(some: NDArray[np.bool_]) -> NDArray[np.bool_]:
         return np.asarray(some[corners].any(axis=1))
 
-    def unproved(rows: NDArray[np.bool_], angles: NDArray[np.float64]) -> NDArray[np.bool_]:
-        sums = vertex_sums(corners[rows], angles[rows], len(vertices))
-        return np.asarray(sums.max(axis=1) >= 2 * np.pi - _ROUNDING)
+    def proved(rows: NDArray[np.bool_], angles: NDArray[np.float64]) -> NDArray[np.float64]:
+        sums = vertex_sums(corners[rows], angles[rows], len(vertices)).max(axis=1)
+        return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
 
     def reach_plain(angles: NDArray[np.float64], times: NDArray[np.float64], rows: NDArray[np.bool_]) -> None:
-        plain = first[rows, :, None] + times * (last - first)[rows, :, None]
+        plain = (1 - times) * first[rows, :, None] + times * last[rows, :, None]
         angles[rows] = np.maximum(angles[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
 
     while True:
-        doubtful = unproved(np.ones_like(known), rough)
-        near = touches(doubtful) & ~known
+        slack = proved(np.ones_like(known), rough)
+        near = touches(slack <= 0) & ~known
         known |= near
         fine[near] = bounds(many, np.flatnonzero(near))
-        over = doubtful & ~vertices & unproved(known, fine)
+        slack = np.where(slack <= 0, proved(known, fine), slack)
+        over = (slack <= 0) & ~vertices
         if not over.any():
-            return budgets_at(vertices, corners, first, last) if vertices.any() else no_budgets(len(corners))
+            none = no_budgets(len(corners))
+            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, slack
         vertices |= over
         for angles, times in ((rough, few), (fine, many)):
             reach_plain(angles, times, touches(over))
@@ -239,26 +291,27 @@ def keep_to_budget(z, t, first, last, low, high, sides, by_area):
     """
     if by_area:
         z = _slide_foot(z, _limit(t, low[0], high[0]), _limit(t, low[1], high[1]), _limit(t, low[2], high[2]), sides)
-    a, b = math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real)
-    wanted = (a, b, math.pi - a - b)
+    wanted = (math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real), third_angle(z.real, z.imag))
     share = 1.0
     for s in range(3):
         if low[s] == math.inf:
             continue
-        plain, limit = first[s] + t * (last[s] - first[s]), low[s] + t * (high[s] - low[s])
+        plain, limit = (1 - t) * first[s] + t * last[s], (1 - t) * low[s] + t * high[s]
         if wanted[s] > limit:
-            share = min(share, (limit - plain) / (wanted[s] - plain))
+            share = min(share, max(0.0, limit - plain) / max(wanted[s] - plain, 1e-300))
     if share == 1.0:
         return z
-    a = (1 - share) * (first[0] + t * (last[0] - first[0])) + share * a
-    b = (1 - share) * (first[1] + t * (last[1] - first[1])) + share * b
-    radius = math.sin(b) / math.sin(a + b)
-    return complex(radius * math.cos(a), radius * math.sin(a))
+    back, on = (1 - share) * (1 - t), (1 - share) * t
+    return apex(
+        back * first[0] + on * last[0] + share * wanted[0],
+        back * first[1] + on * last[1] + share * wanted[1],
+        back * first[2] + on * last[2] + share * wanted[2],
+    )
 
 
 @njit(cache=True)
 def _limit(t, low, high):
-    return math.inf if low == math.inf else low + t * (high - low)
+    return math.inf if low == math.inf else (1 - t) * low + t * high
 
 
 @njit(cache=True)

@@ -16,17 +16,21 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_bounds import largest_angles
+from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds
 from tween.morphing.compatible.angle_budgets import (
     Budgets,
+    default_reserve,
     keep_to_budget,
+    left_over,
     measured_budgets,
     no_budgets,
     proved_budgets,
 )
+from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.paths import area_apex, base_angles, corner_angles, third_vertices
 
 _THINNEST = 2.0**-60
+_ROUNDING = 2.0**-48  # relative, of lengths
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
 
@@ -44,6 +48,8 @@ class Leg:
         Number of the root triangle.
     guarantee : bool
         Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+    reserve : ndarray of float64, shape (2, n), optional
+        What budgets leave untouched at both ends, see `default_reserve`.
 
     Notes
     -----
@@ -56,7 +62,13 @@ class Leg:
     """
 
     def __init__(
-        self, source: Triangulation, target: NDArray[np.float64], path: Path, root: int, guarantee: bool = False
+        self,
+        source: Triangulation,
+        target: NDArray[np.float64],
+        path: Path,
+        root: int,
+        guarantee: bool = False,
+        reserve: NDArray[np.float64] | None = None,
     ) -> None:
         self.source, self.target = source, target
         self._path, self._tree = path, rooted(source, root)
@@ -67,7 +79,9 @@ class Leg:
         self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
         self._areas = _areas(self._start, self._end) if path == "area" else np.empty((0, 6))
         self._centres = self._start[0].mean(), self._end[0].mean()
-        self.budgets = self._needed_budgets() if guarantee else no_budgets(len(self._corners))
+        self.budgets = no_budgets(len(self._corners))
+        if guarantee:
+            self._give_budgets(reserve)
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lay out the triangles of all times, the root first and each child on its base.
@@ -88,16 +102,89 @@ class Leg:
         )
         return shapes
 
-    def _needed_budgets(self) -> Budgets:
+    def first_doubt(
+        self, placing: Placing, stop: float = 1.0, ends: tuple[bool, bool] = (True, True)
+    ) -> Doubt | tuple[float, float]:
+        """Prove that the shapes are valid in doubles, or tell where that fails; see `layout_errors`.
+
+        Parameters
+        ----------
+        placing : Placing
+        stop : float
+            Shapes are looked at from time 0 to there.
+        ends : (bool, bool)
+            Whether the source, and the target, may serve for times close to them.
+
+        Returns
+        -------
+        Doubt, or (float, float)
+            The first one; or the times up to which the source, and from which on the target, is to be shown instead.
+        """
+        width = min(np.ptp(points, axis=0).max() for points in (self.source.points, self.target))
+        offset = max(np.abs(points).max() for points in (self.source.points, self.target))
+
+        def moves(start: float, end: float) -> float:
+            before, after = self.at(np.array([start, end]))
+            return float(np.abs(after - before).max() / width)
+
+        placing = placing._replace(offset=max(placing.offset, offset))
+        return first_doubt(self._layout, self._corners, self._children(), placing, moves, stop, ends)
+
+    def _children(self) -> NDArray[np.int64]:
+        """Places in tree order of the triangles across bc, ca and ab (of the root only); -1 for none."""
+        place = np.empty(len(self._corners), np.int64)
+        place[self._tree.order] = np.arange(len(place))
+        slots = (self._tree.base[self._tree.order, None] + np.array([1, 2, 0])) % 3
+        across = self.source.twin[self._tree.order[:, None], slots]
+        children = np.where(across >= 0, place[across // 3], -1)
+        children[1:, 2] = -1
+        return children
+
+    def _give_budgets(self, reserve: NDArray[np.float64] | None) -> None:
+        """Find who needs a budget; also what every vertex is proved to have left, at both ends, shape (2, n)."""
         angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
-        if self._path == "area":
-            return measured_budgets(self._corners, *angles, self._angles_at)
-        return proved_budgets(self._corners, *angles, self._largest_angles)
+        left = np.stack([left_over(self._corners, a) for a in angles])
+        kept = np.minimum(left, default_reserve(self._corners, *angles) if reserve is None else reserve)
+        if self._path == "angle":
+            self._slack = left
+        elif self._path == "area":
+            self.budgets = measured_budgets(self._corners, *angles, self._angles_at)
+        else:
+            self.budgets, proved = proved_budgets(self._corners, *angles, self._largest_angles, kept)
+            self._slack = np.where(proved > 0, proved, kept)
+
+    def _layout(self, t: NDArray[np.float64]) -> Layout:
+        """What is known of the motion between neighbouring times."""
+        low, high = angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
+        bound = np.isfinite(self.budgets.low)
+        rows = bound.any(axis=1)
+        if rows.any():
+            first, last = self.budgets.first[rows, :, None], self.budgets.last[rows, :, None]
+            plain = (1 - t) * first + t * last
+            low[rows] = np.minimum(low[rows], np.minimum(plain[..., :-1], plain[..., 1:]))
+            high[rows] = np.maximum(high[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
+            limits = (1 - t) * self.budgets.low[bound][:, None] + t * self.budgets.high[bound][:, None]
+            high[bound] = np.minimum(high[bound], np.maximum(limits[:, :-1], limits[:, 1:]))
+        slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
+        near, far = self._base_lengths(t, None if rows.any() else self._path)
+        return Layout(low, high, near, far, np.minimum(slack[:-1], slack[1:]).T.copy())
+
+    def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
+        """Bounds of the lengths of bases between neighbouring times, nan where they are to be carried down the tree."""
+        lengths = np.full((len(self._corners), len(t)), np.nan)
+        rows = slice(None) if path == "metric" else slice(0, 1)
+        ends = [np.abs(corners[rows, 1] - corners[rows, 0])[:, None] for corners in (self._start, self._end)]
+        if self._path == "metric":
+            lengths[rows] = np.hypot(np.sqrt(1 - t) * ends[0], np.sqrt(t) * ends[1])
+        else:
+            lengths[rows] = (1 - t) * ends[0] + t * ends[1]
+        least, greatest = np.minimum(lengths[:, :-1], lengths[:, 1:]), np.maximum(lengths[:, :-1], lengths[:, 1:])
+        return least * (1 - _ROUNDING), greatest * (1 + _ROUNDING)
 
     def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
         source, target = (z[rows] for z in self._thirds)
-        return largest_angles(self._path, source, target, self._propagates[rows], self._stretch[rows], t)
+        return angle_bounds(self._path, source, target, self._propagates[rows], self._stretch[rows], t)[1]
 
     def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
         """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
@@ -117,6 +204,21 @@ class Leg:
             self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
         )
         return shapes, z
+
+
+def left_below_full_turn(T: Triangulation) -> NDArray[np.float64]:
+    """What every vertex has left below 2 pi.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Radians.
+    """
+    return left_over(T.triangles, base_angles(_third(_complex(T.points)[T.triangles])))
 
 
 def root_triangle(root: str | int, *shapes: Triangulation) -> int:
