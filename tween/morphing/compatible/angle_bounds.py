@@ -115,11 +115,11 @@ def _from_boxes(z, bends, lengths, floors, times, low, high):
                 floor = floors[i] - wide
                 wide += 0.5 * math.sqrt(max(length * length - abs(q - p) ** 2, 0.0)) + _ROUNDING_OF_LENGTHS * length
                 low_y, high_y = max(low_y - wide, floor, 0.0), high_y + wide
-            _box_angles(min(p.real, q.real) - wide, max(p.real, q.real) + wide, low_y, high_y, low, high, i, f)
+            box_angles(min(p.real, q.real) - wide, max(p.real, q.real) + wide, low_y, high_y, low, high, i, f)
 
 
 @njit(cache=True)
-def _box_angles(low_x, high_x, low_y, high_y, low, high, i, f):
+def box_angles(low_x, high_x, low_y, high_y, low, high, i, f):
     """Write the bounds of the three angles of a third vertex in a box."""
     high[i, 0, f] = math.atan2(high_y if low_x > 0.0 else low_y, low_x)
     low[i, 0, f] = math.atan2(low_y if high_x > 0.0 else high_y, high_x)

@@ -39,6 +39,7 @@ from numpy.typing import NDArray
 from tween.morphing.compatible.paths import apex, third_angle
 
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
+_FEW_AREA, _TIMES_AREA = 16, 256  # intervals along the path "area", to begin with and at most
 RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
 _ROUNDING = 1e-9  # of a sum of angles
 
@@ -237,40 +238,58 @@ def proved_budgets(
             reach_plain(angles, times, touches(over))
 
 
-def measured_budgets(
+def budgets_by_area(
     corners: NDArray[np.int64],
     first: NDArray[np.float64],
     last: NDArray[np.float64],
-    angles_at: Callable[[NDArray[np.float64], Budgets], NDArray[np.float64]],
-) -> Budgets:
-    """Give budgets to the vertices that come too near to 2 pi at the times looked at.
+    bounds: Callable[[NDArray[np.float64], Budgets], NDArray[np.float64]],
+    reserve: NDArray[np.float64],
+) -> tuple[Budgets, NDArray[np.float64]]:
+    """Give budgets to the vertices that are not proved to stay below 2 pi without one, along the path "area".
 
     Parameters
     ----------
     corners : ndarray of int, shape (m, 3)
     first, last : ndarray of float64, shape (m, 3)
         Angles at these corners at times 0 and 1.
-    angles_at : callable
-        From times, shape (k,), and budgets to the angles of the motion, shape (m, 3, k).
+    bounds : callable
+        From times, shape (k,), and budgets to bounds of the angles between neighbouring times, shape (m, 3, k-1).
+    reserve : ndarray of float64, shape (2, n)
+        See `default_reserve`.
 
     Returns
     -------
     Budgets
+    slack : ndarray of float64, shape (n,)
+        What vertices without a budget are proved to have left below 2 pi at all times; negative for others.
 
     Notes
     -----
-    A few rounds as a rule, each as costly as 129 frames.
+    Intervals are cut in four until they are proved or a 256th; then the vertices in doubt get budgets, and all begins
+    again.  With budgets at all vertices there is nothing to prove, so this ends.
     """
     vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
-    budgets, times = no_budgets(len(corners)), np.linspace(0.0, 1.0, _TIMES)
     while True:
-        sums = vertex_sums(corners, angles_at(times, budgets), len(vertices))
-        reach = sums.max(axis=1) + np.abs(np.diff(sums, axis=1)).max(axis=1)
-        over = (reach >= 2 * np.pi) & ~vertices
+        budgets = budgets_at(vertices, corners, first, last, reserve) if vertices.any() else no_budgets(len(corners))
+        slack = np.full(len(vertices), np.inf)
+        starts, stops = np.linspace(0.0, 1.0, _FEW_AREA + 1)[:-1], np.linspace(0.0, 1.0, _FEW_AREA + 1)[1:]
+        while len(starts):
+            knots = np.unique([starts, stops])
+            sums = vertex_sums(corners, bounds(knots, budgets), len(vertices))[:, np.searchsorted(knots, starts)]
+            left = np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
+            left[vertices] = np.inf
+            bad = (left <= 0).any(axis=0)
+            fine = stops - starts < 1.5 / _TIMES_AREA
+            slack = np.minimum(slack, left[:, ~bad | fine].min(axis=1, initial=np.inf))
+            again = bad & ~fine
+            cuts = np.linspace(starts[again], stops[again], 5)
+            starts, stops = cuts[:-1].T.ravel(), cuts[1:].T.ravel()
+            if (slack <= 0).any() and len(starts) == 0:
+                break
+        over = slack <= 0
         if not over.any():
-            return budgets
+            return budgets, np.where(vertices, -1.0, slack)
         vertices |= over
-        budgets = budgets_at(vertices, corners, first, last)
 
 
 @njit(cache=True)
@@ -316,12 +335,18 @@ def _limit(t, low, high):
 
 @njit(cache=True)
 def _slide_foot(z, limit_a, limit_b, limit_c, sides):
-    """Move z at its height so that its triangle keeps to its limits; as far as can be where it cannot.
+    """Move z at its height so that its triangle keeps to its limits; as far as can be where it cannot."""
+    low, high = foot_bounds(z.imag, limit_a, limit_b, limit_c, sides)
+    return complex(clamp(z.real, low, high), z.imag)
 
-    Each limit bounds the foot x.  That of the angle c at z, largest for x = 1/2, asks for a distance from 1/2, on
+
+@njit(cache=True)
+def foot_bounds(y, limit_a, limit_b, limit_c, sides):
+    """Bounds of the foot x that limits give to a third vertex at height y.
+
+    That of the angle c at z, largest for x = 1/2, asks for a distance from 1/2, on
     one side at all times; the bound comes up from beyond the foot before it is needed, so there is no jump.
     """
-    y = z.imag
     low = y / math.tan(limit_a) if limit_a < math.pi else -math.inf
     high = 1.0 - y / math.tan(limit_b) if limit_b < math.pi else math.inf
     if limit_c < math.pi and sides[0] != 0.0:
@@ -332,6 +357,12 @@ def _slide_foot(z, limit_a, limit_b, limit_c, sides):
             low = max(low, 0.5 + room)
         else:
             high = min(high, 0.5 - room)
+    return low, high
+
+
+@njit(cache=True)
+def clamp(x, low, high):
+    """The nearest number to x between bounds, or half way between them where they contradict each other."""
     if low > high:
-        return complex(0.5 * (low + high), y)
-    return complex(min(max(z.real, low), high), y)
+        return 0.5 * (low + high)
+    return min(max(x, low), high)

@@ -19,13 +19,14 @@ from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds
 from tween.morphing.compatible.angle_budgets import (
     Budgets,
+    budgets_by_area,
     default_reserve,
     keep_to_budget,
     left_over,
-    measured_budgets,
     no_budgets,
     proved_budgets,
 )
+from tween.morphing.compatible.area_bounds import area_bounds
 from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.paths import area_apex, base_angles, corner_angles, third_vertices
 
@@ -147,14 +148,29 @@ class Leg:
         kept = np.minimum(left, default_reserve(self._corners, *angles) if reserve is None else reserve)
         if self._path == "angle":
             self._slack = left
-        elif self._path == "area":
-            self.budgets = measured_budgets(self._corners, *angles, self._angles_at)
+            return
+        if self._path == "area":
+            self.budgets, proved = budgets_by_area(
+                self._corners, *angles, lambda t, budgets: self._bounds_by_area(t, budgets)[1], kept
+            )
         else:
             self.budgets, proved = proved_budgets(self._corners, *angles, self._largest_angles, kept)
-            self._slack = np.where(proved > 0, proved, kept)
+        self._slack = np.where(proved > 0, proved, kept)
+
+    def _bounds_by_area(
+        self, t: NDArray[np.float64], budgets: Budgets
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Bounds of angles, and of the lengths of bases, between neighbouring times along the path "area"."""
+        _, z = self._lay_out(t, budgets)
+        root = np.abs(_root_base(self._start[0], self._end[0], False, t))
+        return area_bounds(self._children(), z, root, self._areas, t, *budgets)
 
     def _layout(self, t: NDArray[np.float64]) -> Layout:
         """What is known of the motion between neighbouring times."""
+        slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
+        slack = np.minimum(slack[:-1], slack[1:]).T.copy()
+        if self._path == "area":
+            return Layout(*self._bounds_by_area(t, self.budgets), slack)
         low, high = angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
         bound = np.isfinite(self.budgets.low)
         rows = bound.any(axis=1)
@@ -165,9 +181,7 @@ class Leg:
             high[rows] = np.maximum(high[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
             limits = (1 - t) * self.budgets.low[bound][:, None] + t * self.budgets.high[bound][:, None]
             high[bound] = np.minimum(high[bound], np.maximum(limits[:, :-1], limits[:, 1:]))
-        slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
-        near, far = self._base_lengths(t, None if rows.any() else self._path)
-        return Layout(low, high, near, far, np.minimum(slack[:-1], slack[1:]).T.copy())
+        return Layout(low, high, *self._base_lengths(t, None if rows.any() else self._path), slack)
 
     def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
         """Bounds of the lengths of bases between neighbouring times, nan where they are to be carried down the tree."""
