@@ -191,6 +191,13 @@ def area_apex(height, above, below):
     return complex(0.5 + w, height)
 
 
+@njit(cache=True)
+def bernstein(c, t):
+    """The cubic with four coefficients in Bernstein form; of positive ones it is precise, however small."""
+    s = 1.0 - t
+    return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3])
+
+
 def slides(
     source: NDArray[np.complex128], target: NDArray[np.complex128], propagates: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
