@@ -156,3 +156,36 @@ def _add_peaks(low, high, source, target, stretch, times):
             f = min(max(np.searchsorted(times, t / (s + t), side="right") - 1, 0), times.size - 2)
             low[i, corner, f] = min(low[i, corner, f], there)
             high[i, corner, f] = max(high[i, corner, f], there)
+
+
+@njit(cache=True)
+def within_budgets(low, high, rows, first, last, least, most, times):
+    """Narrow bounds of wanted angles, (m, 3, k-1), in place to those of angles kept to budgets, in some rows.
+
+    The limits of the angles at times 0 and 1 are ``least`` and ``most``.  Kept to its budgets, a triangle has a share of
+    what is wanted beyond the path "angle": the least share that a corner allows.  Its range follows from those of
+    what is allowed and of what is wanted.
+    """
+    for i in rows:
+        for f in range(times.size - 1):
+            t0, t1 = times[f], times[f + 1]
+            little, much = 1.0, 1.0
+            for s in range(3):
+                if least[i, s] < math.inf:
+                    p0, p1 = (1 - t0) * first[i, s] + t0 * last[i, s], (1 - t1) * first[i, s] + t1 * last[i, s]
+                    g0 = max((1 - t0) * least[i, s] + t0 * most[i, s] - p0, 0.0)
+                    g1 = max((1 - t1) * least[i, s] + t1 * most[i, s] - p1, 0.0)
+                    excess, surely = high[i, s, f] - min(p0, p1), low[i, s, f] - max(p0, p1)
+                    if excess > min(g0, g1):
+                        little = min(little, min(g0, g1) / excess)
+                    if surely > max(g0, g1):
+                        much = min(much, max(g0, g1) / surely)
+            for s in range(3):
+                p0, p1 = (1 - t0) * first[i, s] + t0 * last[i, s], (1 - t1) * first[i, s] + t1 * last[i, s]
+                p, q = min(p0, p1), max(p0, p1)
+                under, over = low[i, s, f] - p, high[i, s, f] - q
+                low[i, s, f], high[i, s, f] = p + min(little * under, much * under), q + max(little * over, much * over)
+                if least[i, s] < math.inf:
+                    limit = max((1 - t0) * least[i, s] + t0 * most[i, s], (1 - t1) * least[i, s] + t1 * most[i, s])
+                    high[i, s, f] = min(high[i, s, f], limit)
+                low[i, s, f] = min(low[i, s, f], high[i, s, f])

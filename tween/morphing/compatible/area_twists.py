@@ -26,10 +26,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tween.morphing.compatible.angle_budgets import vertex_sums
+
 _TIMES = np.linspace(0.0, 1.0, 34)[1:-1]  # at which excesses are looked at
-_ROUNDS = 60  # of twisting
+_PATIENCE = 12  # rounds of twisting that make nothing better
 _KEPT = 0.125  # of what a vertex has left below 2 pi is kept by twisting
-_BLENDS = (0.125, 0.25, 0.5, 1.0)
+_BLENDS = (0.125, 0.375, 1.0)
 
 
 class AreaPath(NamedTuple):
@@ -108,11 +110,8 @@ def kept_below_full_turn(
     AreaPath
     """
     goal = 2 * np.pi - _KEPT * ((1 - _TIMES) * left[0][:, None] + _TIMES * left[1][:, None])
-    plain = path
     if (_excess(corners, angles_at(_TIMES, path), 2 * np.pi) > 0).any() or doubtful(path).any():
         path = _twisted(path, corners, goal, angles_at)
-        if (_excess(corners, angles_at(_TIMES, path), goal) > 0).sum() > len(_TIMES):
-            path = plain
     while True:
         over = (_excess(corners, angles_at(_TIMES, path), 2 * np.pi) >= 0).any(axis=1)
         over = over if over.any() else doubtful(path)
@@ -132,9 +131,7 @@ def _excess(
     corners: NDArray[np.int64], angles: NDArray[np.float64], goal: NDArray[np.float64] | float
 ) -> NDArray[np.float64]:
     """By how much sums of angles, (m, 3, k), exceed the goal, (n, k)."""
-    sums = np.zeros((corners.max() + 1, angles.shape[2]))
-    np.add.at(sums, corners, angles)
-    return np.maximum(sums - goal, -0.0) if np.ndim(goal) else sums - goal
+    return np.asarray(vertex_sums(corners, angles, len(corners) + 2)) - goal
 
 
 def _twisted(
@@ -143,17 +140,19 @@ def _twisted(
     goal: NDArray[np.float64],
     angles_at: Callable[[NDArray[np.float64], AreaPath], NDArray[np.float64]],
 ) -> AreaPath:
-    """The path of least excess on the way of twisting."""
+    """Twist until nothing exceeds the goal, or no better path is found: one on which fewer vertices reach 2 pi."""
     t = _TIMES
     basis = np.stack([3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t)])
     count = np.bincount(corners.ravel())
-    twists, best, least = np.zeros((len(corners), 2)), path, np.inf
-    for _ in range(_ROUNDS):
+    twists, best, least, since = np.zeros((len(corners), 2)), path, (np.inf, np.inf), 0
+    while since < _PATIENCE:
         now = path.twisted(twists)
         angles = angles_at(t, now)
-        excess = _excess(corners, angles, goal)
-        if excess.max() < least:
-            best, least = now, excess.max()
+        excess = np.maximum(_excess(corners, angles, goal), 0.0)
+        fault = ((_excess(corners, angles, 2 * np.pi) > 0).any(axis=1).sum(), excess.max())
+        since += 1
+        if fault < least:
+            best, least, since = now, fault, 0
         if not excess.max() > 0:
             break
         share = np.sin(angles[:, 0]) ** 2

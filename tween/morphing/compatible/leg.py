@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds
+from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds, within_budgets
 from tween.morphing.compatible.angle_budgets import (
     Budgets,
     default_reserve,
@@ -33,7 +33,7 @@ from tween.morphing.compatible.paths import base_angles, corner_angles, third_ve
 _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
 _MARGIN = 1e-9  # radians below 2 pi that a proof leaves where the ends allow it
-_SHORTEST = 1.0 / 1024.0  # of the intervals in which sums along "area" are looked at
+_SHORTEST = 1.0 / 512.0  # of the intervals in which sums along "area" are looked at
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
 
@@ -164,8 +164,7 @@ class Leg:
         margin = np.minimum(_MARGIN, 0.5 * left)[:, None]
         while True:
             knots = np.unique([starts, stops])
-            slack = self._layout_by_area(knots, path).slack[:, np.searchsorted(knots, starts)]
-            bad = ~(slack > margin)
+            bad = ~(self._layout_by_area(knots, path).slack[:, np.searchsorted(knots, starts)] > margin)
             again = bad.any(axis=0)
             if not again.any() or (stops - starts)[again].min() < _SHORTEST:
                 return np.asarray(bad.any(axis=1))
@@ -187,16 +186,9 @@ class Leg:
         slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
         slack = np.minimum(slack[:-1], slack[1:]).T.copy()
         low, high = angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
-        bound = np.isfinite(self.budgets.low)
-        rows = bound.any(axis=1)
-        if rows.any():
-            first, last = self.budgets.first[rows, :, None], self.budgets.last[rows, :, None]
-            plain = (1 - t) * first + t * last
-            low[rows] = np.minimum(low[rows], np.minimum(plain[..., :-1], plain[..., 1:]))
-            high[rows] = np.maximum(high[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
-            limits = (1 - t) * self.budgets.low[bound][:, None] + t * self.budgets.high[bound][:, None]
-            high[bound] = np.minimum(high[bound], np.maximum(limits[:, :-1], limits[:, 1:]))
-        return Layout(low, high, *self._base_lengths(t, None if rows.any() else self._path), slack)
+        rows = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
+        within_budgets(low, high, rows, *self.budgets, t)
+        return Layout(low, high, *self._base_lengths(t, None if len(rows) else self._path), slack)
 
     def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
         """Bounds of the lengths of bases between neighbouring times, nan where they are to be carried down the tree."""
