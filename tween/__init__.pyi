@@ -15,9 +15,12 @@ from .io.read_write import write_frames as write_frames
 from .measuring.certificate import Certificate as Certificate
 from .measuring.certificate import certify as certify
 from .measuring.certificate import verify as verify
+from .measuring.find_triangles import find_triangles as find_triangles
 from .measuring.metrics import area_matrix as area_matrix
 from .measuring.metrics import area_rank as area_rank
 from .measuring.metrics import frame_variance as frame_variance
+from .measuring.playback import Playback as Playback
+from .measuring.playback import playback as playback
 from .morphing.alignment import Alignment as Alignment
 from .morphing.alignment import align as align
 from .morphing.morph import Morph as Morph

@@ -239,7 +239,7 @@ def common(first: Triangulation, second: Triangulation, most: int | None = None)
     first, second : Triangulation
         With equally many vertices.
     most : int, optional
-        Of pairs in the joint table, see `table`: where more would hold, none is looked for.
+        Of pairs in the joint table, see `.table`: where more would hold, none is looked for.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
 
 from collections.abc import Iterator
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numba import njit
@@ -13,6 +13,9 @@ from tween.morphing.alignment import Alignment
 from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.triangulating.compatibility import match_rows
+
+if TYPE_CHECKING:
+    from tween.measuring.playback import Playback
 
 _AT_ONCE = 2**21  # vertices times frames that are laid out at once
 
@@ -258,6 +261,29 @@ class Morph:
             return f"{when}: triangle {own} is {left:.1g} high, of which rounding may need {needed:.1g}"
         return f"{when}: vertex {own[0]} may leave the range of coordinates in which signs are exact"
 
+    def playback(self, tolerance: float = 1e-3, most: int = 1000) -> "Playback":
+        """Return frames, straight motion between which stays close to this morph and is verified at every instant.
+
+        Parameters
+        ----------
+        tolerance : float
+            As a fraction of the width of the shape.
+        most : int
+            Frames.
+
+        Returns
+        -------
+        Playback
+
+        Raises
+        ------
+        TweenError
+            Where there are none, see `tween.playback`.
+        """
+        from tween.measuring.playback import playback  # here, as what measures morphs stands above them
+
+        return playback(self, tolerance, most)
+
     def triangles_at(self, t: float) -> NDArray[np.int64]:
         """Return the triangles in force at a time.
 
@@ -294,6 +320,8 @@ class Morph:
         if self._backwards:
             starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
             stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        if len(stages) == 1 and np.array_equal(stages[0][1], self.source.triangles):
+            return stages
         rows = match_rows(stages[0][1], self.source.triangles)
         return [(s, triangles[rows]) for s, triangles in stages]
 

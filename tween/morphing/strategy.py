@@ -50,7 +50,7 @@ class _Choices(NamedTuple):
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
         if self.path == "angle":
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
@@ -74,12 +74,12 @@ def morph(
         Where they have different numbers of vertices, vertices are inserted on the one with fewer, see
         `align`.  A curve stands for its constrained Delaunay triangulation.
     path : {"slide", "linear", "angle", "area", "metric"}
-        How third vertices move, see `paths`; the first two are the paper's.
+        How third vertices move, see `.paths`; the first two are the paper's.
     root : {"disk-center", "tree-center"} or int
         Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
         choice), the centre of the dual tree, or a triangle of the source by number.
     guarantee : bool
-        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `angle_budgets`.
+        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `.angle_budgets`.
         Without it only the path "angle" does, where there are no flips.
     strategy : {"auto", "paper", "common"}
         "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
@@ -89,7 +89,7 @@ def morph(
         vertices only the pivots' correspondence is tried, above 500 only where the joint table stays small.
         Triangulations that were given are kept ("paper").
     order : {"partial", "sequential"}
-        Whether flips that do not depend on each other wait for each other, see `flow`.
+        Whether flips that do not depend on each other wait for each other, see `.flow`.
     shifts : {"pivots", "all"} or int
         Which vertices correspond.  "pivots": as above.  "all": of all renumberings the one whose common
         triangulation distorts least, or, where triangulations are flipped, that with fewest crossings.
@@ -129,7 +129,7 @@ def morph(
     first, second, *origins = equal_counts(source, target)
     given = isinstance(source, Triangulation) or isinstance(target, Triangulation)
     choices = _Choices(path, root, guarantee, order)
-    if _key(first, origins[0]) > _key(second, origins[1]):
+    if _comes_later(first, origins[0], second, origins[1]):
         turned = shifts if isinstance(shifts, str) else -int(shifts)
         alignment = _aligned(strategy, second, first, origins[::-1], turned, given)
         return _between(alignment, choices._replace(exchanged=True))
@@ -176,11 +176,11 @@ def morph_compatible(
     Mukherjee and Gopi, Section 5.
     """
     _check_options(path)
-    if not np.array_equal(source.canonical, target.canonical):
+    if source.triangles is not target.triangles and not np.array_equal(source.canonical, target.canonical):
         raise IncompatibleError("the two triangulations have different triangles; tween.morph finds a way between them")
     every = np.arange(len(source))
     choices = _Choices(path, root, guarantee)
-    if _key(source, every) > _key(target, every):
+    if _comes_later(source, every, target, every):
         return _between(Alignment(target, source, 0, every, every, None, 0), choices._replace(exchanged=True))
     return _between(Alignment(source, target, 0, every, every, None, 0), choices)
 
@@ -196,10 +196,15 @@ def _check_options(path: str, strategy: str = "auto", order: str = "partial", sh
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _key(T: Triangulation, origin: NDArray[np.int64]) -> tuple[int, bytes, bytes]:
-    """What orders two shapes: the points that were given, then the triangles."""
-    points = T.points[origin >= 0]
-    return len(points), points.astype("<f8").tobytes(), T.canonical.tobytes()
+def _comes_later(
+    first: Triangulation, first_origin: NDArray[np.int64], second: Triangulation, second_origin: NDArray[np.int64]
+) -> bool:
+    """Whether the second of two shapes comes first: by the points that were given, then by the triangles."""
+    keys = []
+    for T, origin in ((first, first_origin), (second, second_origin)):
+        points = T.points[origin >= 0]
+        keys.append((len(points), points.astype("<f8").tobytes()))
+    return keys[0] > keys[1] or (keys[0] == keys[1] and first.canonical.tobytes() > second.canonical.tobytes())
 
 
 # Correspondence

@@ -51,9 +51,11 @@ _CERTIFY = """examples:
   tween morph gallery:horseshoe disk -o frames.npz
   tween certify frames.npz
   tween certify frames.npz --json
+  tween morph letter:e letter:l -o e_to_l.svg
+  tween certify e_to_l.svg
 
-Exit status: 0 every frame bounds an immersed disk, 1 some frame does not,
-2 bad input or usage."""
+Exit status: 0 every frame, and every instant of straight motion between them, bounds an immersed
+disk; 1 some do not; 2 bad input or usage."""
 
 _GALLERY = """examples:
   tween gallery
@@ -98,7 +100,7 @@ def build_parser() -> argparse.ArgumentParser:
     Returns
     -------
     ArgumentParser
-        Its subparsers are named as the functions of `commands` that they lead to.
+        Its subparsers are named as the functions of `.commands` that they lead to.
     """
     parser = _Parser(
         prog="tween",
@@ -199,10 +201,11 @@ def _add_film(group: Any) -> None:
 
 
 def _add_certify(commands: Any) -> None:
-    parser = _add(commands, "certify", "check exactly whether every frame of a file bounds an immersed disk", _CERTIFY)
+    parser = _add(commands, "certify", "check exactly whether what a file plays bounds immersed disks, at every instant", _CERTIFY)
     parser.add_argument(
-        "file", metavar="FRAMES", help="frames and their triangles, .npz or .json, as morph writes them"
+        "file", metavar="FRAMES", help="frames as morph writes them: .npz, .json, .csv, .svg or .html, not pictures"
     )
+    parser.add_argument("--frames-only", action="store_true", help="say nothing about the time between frames")
     _add_json(parser)
 
 

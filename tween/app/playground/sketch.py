@@ -94,8 +94,8 @@ class Sketch:
         Parameters
         ----------
         source, target : mapping
-            With a stroke, a list of places of the pointer; or with a name: one of `gallery.names` or
-            `gallery.letters`, "given", "draw" for nothing yet, or "disk" for the target.
+            With a stroke, a list of places of the pointer; or with a name: one of `tween.gallery.names` or
+            `tween.gallery.letters`, "given", "draw" for nothing yet, or "disk" for the target.
 
         Returns
         -------

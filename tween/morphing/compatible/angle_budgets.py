@@ -14,8 +14,8 @@ wanted one as far as its budgets allow.  So no corner exceeds its budget, and no
 time, not only at the frames.  What was moved is a convex combination with continuous weights: no jump.
 
 **Only where needed.**  Budgets are given to the vertices that may reach 2 pi without them.  Time is cut into 128
-intervals (16 where those suffice); in each, every angle has a proved bound (`angle_bounds`), and where a triangle has a
-budgeted corner the larger one of this bound and of that of the path "angle", as its shape is between the two.  A
+intervals (16 where those suffice); in each, every angle has a proved bound (`.angle_bounds`), and where a triangle has
+a budgeted corner the larger one of this bound and of that of the path "angle", as its shape is between the two.  A
 vertex whose bounds add up to 2 pi in some interval gets a budget.  That changes the bounds of the triangles that it
 touches, so this goes on until no vertex is added: the set only grows, so it ends.  Vertices with a budget stay
 below 2 pi by the argument above, the others by their bounds: at every time, by proof.
@@ -220,7 +220,7 @@ def keep_to_budget(z, t, first, last, low, high):
     wanted = (math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real), third_angle(z.real, z.imag))
     share = 1.0
     for s in range(3):
-        if low[s] == math.inf:
+        if low[s] == math.inf:  # no budget here
             continue
         plain, limit = (1 - t) * first[s] + t * last[s], (1 - t) * low[s] + t * high[s]
         if wanted[s] > limit:

@@ -1,7 +1,7 @@
 """Motion between compatible triangulations (Section 5), all times at once.
 
 The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
-its parent, and moves its third vertex along a path (`paths`).  Points are complex numbers here.
+its parent, and moves its third vertex along a path (`.paths`).  Points are complex numbers here.
 
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
@@ -46,11 +46,11 @@ class Leg:
     target : ndarray of float64, shape (n, 2)
         Points of the target; its triangles are the source's.
     path : str
-        See `paths`.
+        See `.paths`.
     root : int
         Number of the root triangle.
     guarantee : bool
-        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.angle_budgets`.
     reserve : ndarray of float64, shape (2, n), optional
         What budgets leave untouched at both ends, see `default_reserve`.
 
@@ -305,7 +305,7 @@ def _placed(laid, root, first_centre, last_centre, t, source, target):
     n, k = laid.shape
     shapes = np.empty((k, n, 2))
     for f in range(k):
-        if t[f] == 0.0:
+        if t[f] == 0.0:  # the ends are the input to the last bit, free of what the layout rounds
             shapes[f] = source
         elif t[f] == 1.0:
             shapes[f] = target
@@ -323,6 +323,7 @@ def _root_base(source, target, by_squares, t):
     """The base of the root, b - a, at every time."""
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = cmath.phase(e2 / e1)
+    # near half a turn rounding would choose the direction, and perhaps the same one for the reversed morph
     if abs(abs(turn) - math.pi) < _HALF_TURN:
         apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
         way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
@@ -330,7 +331,7 @@ def _root_base(source, target, by_squares, t):
             turn += 2.0 * math.pi * way
     e = np.empty(t.size, np.complex128)
     for f in range(t.size):
-        if by_squares:
+        if by_squares:  # along "metric" the root is no exception: all its edges have linear squares
             length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
         else:
             length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
@@ -348,12 +349,12 @@ def _hang(corners, children, z, root_base, t, by_area, path, budgets):
     bases[0] = root_base
     shapes[corners[0, 0]] = 0.0
     shapes[corners[0, 1]] = root_base
-    for i in range(m):
+    for i in range(m):  # parents come first: the base of i, and its ends, are known by now
         if by_area:
             for f in range(k):
                 square = bases[i, f].real ** 2 + bases[i, f].imag ** 2
                 z[i, f] = area_third(i, square, t[f], areas, above, below, blend, plain_first, plain_last)
-        elif np.isfinite(low[i]).any():
+        elif np.isfinite(low[i]).any():  # the others keep their bits
             for f in range(k):
                 z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i])
         a, c = corners[i, 0], corners[i, 2]

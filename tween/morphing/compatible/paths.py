@@ -183,10 +183,12 @@ def area_apex(height, above, below):
     triangle is flat.  The foot is 1/2 + w with tan d = -2 h w / (1/4 - w**2 + h**2); of the two solutions that for
     which d has the sign of the larger angle, written so that nothing cancels.
     """
+    # sine and cosine of d, by way of the smaller angle: where d is near pi or -pi, d itself has lost its digits
     s, c = (math.sin(below), -math.cos(below)) if below < above else (-math.sin(above), -math.cos(above))
     if abs(s) < _FLATTEST:
-        s = math.copysign(_FLATTEST, above - below)
+        s = math.copysign(_FLATTEST, above - below)  # the sign of d: on which side the foot is far out
     root = math.sqrt(height * height + 0.25 * s * s)
+    # the same root in two forms; each is used where it adds numbers of one sign
     w = -s * (height * height + 0.25) / (height * c + root) if c > 0.0 else (height * c - root) / s
     return complex(0.5 + w, height)
 
@@ -224,6 +226,7 @@ def slides(
 def path_lengths(source, target, propagates):
     """Lengths, (m,), of the paths of "slide" over the base from 0 to 1; along each the speed is constant."""
     lengths = np.empty(source.size)
+    # one path at a time, so this scratch serves all
     p, q, ends = np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES)
     for m in range(source.size):
         pieces = _outline(source[m], target[m], propagates[m, 0], propagates[m, 1], p, q, ends)
@@ -239,9 +242,9 @@ def _inside_circle(z1, z2, end):
     step = z2 - z1
     foot = ((end - z1) * step.conjugate()).real
     length = step.real * step.real + step.imag * step.imag
-    if foot <= 0.0 or foot >= length:
+    if foot <= 0.0 or foot >= length:  # the nearest point of the line is not between z1 and z2
         return 1.0, 0.0
-    foot /= length
+    foot /= length  # the middle of the chord, of which the nearer one of z1 and z2 is an end
     if abs(z1 - end) <= abs(z2 - end):
         return 0.0, min(1.0, 2.0 * foot)
     return max(0.0, 2.0 * foot - 1.0), 1.0
@@ -258,6 +261,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
             b0, b1 = 1.0, 0.0
         elif b0 <= a0 and a1 <= b1:
             a0, a1 = 1.0, 0.0
+    # s and end: the first arc; r and other: the second one, s0 >= s1 or r0 >= r1 where there is none
     zero_first = b1 <= b0 or (a1 > a0 and a0 < b0)
     s0, s1, end = (a0, a1, 0.0) if zero_first else (b0, b1, 1.0)
     r0, r1, other = (b0, b1, 1.0) if zero_first else (a0, a1, 0.0)
@@ -271,7 +275,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
         return 3
     p[2], q[2], ends[2] = q[1], z1 + r0 * step, _LINE
     p[3], q[3], ends[3] = q[2], z1 + r1 * step, other
-    if r0 < s1:
+    if r0 < s1:  # the chords overlap: from one circle to the other where they meet, and piece 2 has no length
         q[1] = p[2] = q[2] = p[3] = (
             _circles_meet(abs(p[1] - 0.0), abs(q[3] - 1.0))
             if zero_first
@@ -284,6 +288,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
 @njit(cache=True)
 def _circles_meet(about_zero, about_one):
     """The point of the upper half plane at given distances from 0 and 1."""
+    # the difference of the two equations is linear; circles that touch may miss each other by rounding
     x = 0.5 * (about_zero**2 - about_one**2 + 1.0)
     return complex(x, math.sqrt(max(0.0, about_zero**2 - x * x)))
 
@@ -297,6 +302,7 @@ def _angle(z):
 def _piece_length(p, q, end):
     if end == _LINE:
         return abs(q - p)
+    # both in the upper half plane, and so is the arc: the difference is its angle, never 2 pi minus it
     return abs(p - end) * abs(_angle(q - end) - _angle(p - end))
 
 
@@ -330,6 +336,7 @@ def _slide(source, target, propagates, times):
             while i < pieces - 1 and rest > lengths[i]:
                 rest -= lengths[i]
                 i += 1
+            # rounding may leave a rest beyond the last piece, or a piece have no length
             share = rest / lengths[i] if lengths[i] > 0.0 else 0.0
             z[m, f] = _along_piece(p[i], q[i], ends[i], min(1.0, share))
     return z

@@ -7,7 +7,7 @@ shape and the flow of the other to a motion between the two (Figure 10):
     S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
 
 Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
-ab that gives way to cd, as in `flips`.
+ab that gives way to cd, as in `tween.flips`.
 """
 
 import heapq
@@ -407,6 +407,6 @@ def _quadrilaterals(triangles, twin, rows):
 def shared_edge(twin, t, u):
     """The half-edge of triangle t across which triangle u lies; -1 where they are no neighbours."""
     for s in range(3):
-        if twin[t, s] // 3 == u:
+        if twin[t, s] // 3 == u:  # -1 // 3 is -1, which is no triangle; in a tree there is one such edge at most
             return 3 * t + s
     return -1
