@@ -1,8 +1,8 @@
 """Morphs between any two immersed disks: one call, from curves or triangulations to moving shapes.
 
-Both shapes are validated and triangulated once, at the door.  Then everything is computed from the one whose points
-come first in the order of bytes to the other, and reversed where the caller wants it the other way: so a morph is
-symmetric, however ties are broken inside.
+Both shapes are validated and triangulated once, at the door.  Then everything is computed from the one that comes
+first (`shape_order`) to the other, and reversed where the caller wants it the other way: so a morph is symmetric, however
+ties are broken inside.
 """
 
 from typing import NamedTuple
@@ -28,6 +28,7 @@ from tween.morphing.incompatible.flip_sequence import FlipSequence, crossings_by
 from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
 from tween.morphing.morph import Morph
+from tween.morphing.shape_order import comes_later
 from tween.triangulating.compatibility import compatible_shift, match_rows
 from tween.triangulating.flips import flip_in_place
 
@@ -36,7 +37,7 @@ _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
 _MOST_PAIRS = 2**17  # in one joint table
 
 _BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
-_BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex add up to less than 2 pi"
+_BY_BUDGETS = "proved in doubles: no triangle turns over, and the angles at every vertex add up to less than 2 pi"
 
 
 class _Choices(NamedTuple):
@@ -51,9 +52,9 @@ class _Choices(NamedTuple):
     @property
     def proof(self) -> str:
         """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
-        if self.path == "angle":
+        if self.path == "angle" and not self.guarantee:
             return _BY_ANGLES
-        return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
+        return _BY_BUDGETS if self.guarantee else ""
 
 
 def morph(
@@ -129,7 +130,7 @@ def morph(
     first, second, *origins = equal_counts(source, target)
     given = isinstance(source, Triangulation) or isinstance(target, Triangulation)
     choices = _Choices(path, root, guarantee, order)
-    if _comes_later(first, origins[0], second, origins[1]):
+    if comes_later(first, origins[0], second, origins[1]):
         turned = shifts if isinstance(shifts, str) else -int(shifts)
         alignment = _aligned(strategy, second, first, origins[::-1], turned, given)
         return _between(alignment, choices._replace(exchanged=True))
@@ -180,7 +181,7 @@ def morph_compatible(
         raise IncompatibleError("the two triangulations have different triangles; tween.morph finds a way between them")
     every = np.arange(len(source))
     choices = _Choices(path, root, guarantee)
-    if _comes_later(source, every, target, every):
+    if comes_later(source, every, target, every):
         return _between(Alignment(target, source, 0, every, every, None, 0), choices._replace(exchanged=True))
     return _between(Alignment(source, target, 0, every, every, None, 0), choices)
 
@@ -194,17 +195,6 @@ def _check_options(path: str, strategy: str = "auto", order: str = "partial", sh
     ):
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
-
-
-def _comes_later(
-    first: Triangulation, first_origin: NDArray[np.int64], second: Triangulation, second_origin: NDArray[np.int64]
-) -> bool:
-    """Whether the second of two shapes comes first: by the points that were given, then by the triangles."""
-    keys = []
-    for T, origin in ((first, first_origin), (second, second_origin)):
-        points = T.points[origin >= 0]
-        keys.append((len(points), points.astype("<f8").tobytes()))
-    return keys[0] > keys[1] or (keys[0] == keys[1] and first.canonical.tobytes() > second.canonical.tobytes())
 
 
 # Correspondence
