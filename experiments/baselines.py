@@ -23,6 +23,7 @@ from tween.errors import IncompatibleError, TriangulationError
 from tween.geometry.dual_tree import rooted
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import renumbered
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.morph import Morph
 
@@ -61,6 +62,10 @@ class _Still:
     points: Callable[[_Floats], _Complexes]
     stages: list[tuple[float, NDArray[np.int64]]]
     events: list[Event] = field(default_factory=list)
+
+    def first_doubt(self, placing: Placing) -> Doubt:
+        """Nothing is proved of a baseline."""
+        return Doubt(0.0, 1.0, "triangle", (), 0.0, 0.0)
 
     def at(self, t: _Floats) -> _Floats:
         z = self.points(t)

@@ -3,7 +3,7 @@
 `morph` is the best morph there is; `paper_morph` is the paper's, as printed.  A shape is validated and triangulated
 once, at the door.
 
-`morph` computes everything from the one whose points come first in the order of bytes to the other, and reverses that
+`morph` computes everything from the one of the two that comes first (`.shape_order`) to the other, and reverses that
 where the caller wants it the other way: so it is symmetric to the last bit, however ties are broken inside.
 `paper_morph` does not.
 """
@@ -26,6 +26,7 @@ from tween.morphing.alignment import (
     least_distorted,
     renumbered,
 )
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
@@ -33,6 +34,7 @@ from tween.morphing.incompatible.pivots import pivot_shift
 from tween.morphing.matching.match import Match, match
 from tween.morphing.morph import Morph, Motion
 from tween.morphing.placement import Steady
+from tween.morphing.shape_order import comes_later
 from tween.triangulating.compatibility import compatible_shift, match_rows
 from tween.triangulating.flips import flip_in_place
 
@@ -43,25 +45,25 @@ _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
 _MOST_PAIRS = 2**17  # in one joint table
 
 _BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
-_BY_BUDGETS = "by their budgets or by proved bounds, the angles at every vertex add up to less than 2 pi"
+_BY_BUDGETS = "proved in doubles: no triangle turns over, and the angles at every vertex add up to less than 2 pi"
 
 
 class _Choices(NamedTuple):
-    """How a morph moves; `root_of_target` says that a root given by number is a triangle of the target."""
+    """How a morph moves; `exchanged` says that the caller wants it from the target to the source."""
 
     path: Path
     guarantee: bool
     placement: Placement
     root: Root
     order: Order = "sequential"
-    root_of_target: bool = False
+    exchanged: bool = False
 
     @property
     def proof(self) -> str:
         """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
-        if self.path == "angle":
+        if self.path == "angle" and not self.guarantee:
             return _BY_ANGLES
-        return _BY_BUDGETS if self.guarantee and self.path != "area" else ""
+        return _BY_BUDGETS if self.guarantee else ""
 
 
 def morph(
@@ -141,10 +143,8 @@ def morph(
         if found.complete or strategy == "matched" or landmarks is not None:
             return _in_order(_from_match(found), choices)
     first, second, *origins = equal_counts(source, target)
-    if _comes_later(first, origins[0], second, origins[1]):
-        return _between(
-            _aligned(strategy, second, first, origins[::-1]), choices._replace(root_of_target=True)
-        ).reversed()
+    if comes_later(first, origins[0], second, origins[1]):
+        return _between(_aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
     return _between(_aligned(strategy, first, second, origins), choices)
 
 
@@ -260,22 +260,11 @@ def _check_words(**given: tuple[str, Sequence[str]]) -> None:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _comes_later(
-    first: Triangulation, first_origin: NDArray[np.int64], second: Triangulation, second_origin: NDArray[np.int64]
-) -> bool:
-    """Whether the second of two shapes comes first: by the points that were given, then by the triangles."""
-    keys = []
-    for T, origin in ((first, first_origin), (second, second_origin)):
-        points = T.points[origin >= 0]
-        keys.append((len(points), points.astype("<f8").tobytes()))
-    return keys[0] > keys[1] or (keys[0] == keys[1] and first.canonical.tobytes() > second.canonical.tobytes())
-
-
 def _in_order(alignment: Alignment, choices: _Choices) -> Morph:
     """Compute a morph from the one of the two shapes that comes first."""
     source, target, *origins = alignment.source, alignment.target, alignment.source_vertices, alignment.target_vertices
-    if _comes_later(source, origins[0], target, origins[1]):
-        return _between(alignment.exchanged(), choices._replace(root_of_target=True)).reversed()
+    if comes_later(source, origins[0], target, origins[1]):
+        return _between(alignment.exchanged(), choices._replace(exchanged=True))
     return _between(alignment, choices)
 
 
@@ -353,8 +342,18 @@ class _Compatible:
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         return self._leg.at(t)
 
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        return self._leg.first_doubt(placing)
+
 
 def _between(alignment: Alignment, choices: _Choices) -> Morph:
+    """The morph; in the caller's numbers already where a guarantee cannot be given, and that is said."""
+    m = _moved(alignment, choices)
+    m = m.reversed() if choices.exchanged else m
+    return m.guaranteed() if choices.guarantee else m
+
+
+def _moved(alignment: Alignment, choices: _Choices) -> Morph:
     """Move straight where the triangles are the same, and through flips where they are not."""
     if alignment.crossings > 0:
         return _gradual(alignment, choices)
@@ -370,7 +369,7 @@ def _straight(alignment: Alignment, choices: _Choices) -> Leg:
     first = alignment.source
     second = first.moved(alignment.target.points)
     root = choices.root
-    if not isinstance(root, str) and choices.root_of_target:
+    if not isinstance(root, str) and choices.exchanged:
         root = _row(root_triangle(root, alignment.target), alignment.target.triangles, first.triangles)
     return Leg(first, second.points, choices.path, root_triangle(root, first, second), choices.guarantee)
 
@@ -395,10 +394,10 @@ def _flow_roots(
     """The root of each flow; a triangle given by number is followed through the flips to the other shape."""
     if isinstance(choices.root, str):
         return [choices.root, choices.root]
-    here = int(choices.root_of_target)
+    here = int(choices.exchanged)
     row = root_triangle(choices.root, shapes[here])
     there = _row(row, _after(shapes[here], sequences[here]), shapes[1 - here].triangles)
-    return [there, row] if choices.root_of_target else [row, there]
+    return [there, row] if choices.exchanged else [row, there]
 
 
 def _row(row: int, triangles: NDArray[np.int64], others: NDArray[np.int64]) -> int:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tween import Triangulation, certify, gallery, morph, paper_morph, remesh, triangulate
 from tween.choices import PATHS, Path
-from tween.morphing.compatible.angle_bounds import largest_angles
+from tween.morphing.compatible.angle_bounds import angle_bounds
 from tween.morphing.compatible.angle_budgets import vertex_sums
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.compatible.paths import corner_angles, third_vertices
@@ -22,7 +22,7 @@ thirds = st.builds(complex, coordinates, heights)
 def excess(path: Path, z1: complex, z2: complex, both: tuple[bool, bool], stretch: float, k: int) -> np.ndarray:
     """By how much bounds exceed the largest of 40 angles in each of k intervals; (3, k)."""
     about = np.array([z1]), np.array([z2]), np.array([both]), np.array([stretch])
-    bounds = largest_angles(path, *about, np.linspace(0, 1, k + 1))[0]
+    _, (bounds,) = angle_bounds(path, *about, np.linspace(0, 1, k + 1))
     angles = corner_angles(third_vertices(path, *about, np.linspace(0, 1, 40 * k + 1)))[0]
     inside = np.stack([angles[:, i : i + 40 * k : 40] for i in range(40)])
     return bounds - np.maximum(inside.max(axis=0), angles[:, 40::40])
