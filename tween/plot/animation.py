@@ -48,9 +48,8 @@ def save_animation(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
 ) -> Path:
-    """Save a morph as an animation that goes round endlessly.
+    """Save a morph as an animation that goes round endlessly, all shapes at one scale.
 
     Parameters
     ----------
@@ -73,8 +72,6 @@ def save_animation(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others.
 
     Returns
     -------
@@ -99,8 +96,9 @@ def save_animation(
 
     Examples
     --------
-    >>> from tween import gallery, morph
-    >>> m = morph(*gallery.pair("spiral_to_ess"))
+    >>> from tween import gallery, morph, triangulate
+    >>> T = triangulate(gallery.curve("ess"))
+    >>> m = morph(T, T.on_disk())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = save_animation(Path(folder) / "ess.gif", m, frames=5, size=90)
     ...     with Image.open(file) as image:
@@ -109,7 +107,7 @@ def save_animation(
     """
     check_format(path, fps)
     moving = Path(path).suffix.lower() in _MOVING
-    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale, verified=moving)
+    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, verified=moving)
     return whole_files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
 
 

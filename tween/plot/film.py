@@ -124,10 +124,9 @@ def record(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
     verified: bool = False,
 ) -> Film:
-    """Lay out a morph on a canvas.
+    """Lay out a morph on a canvas, all shapes at one scale.
 
     Parameters
     ----------
@@ -147,8 +146,6 @@ def record(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others, and in the middle.
     verified : bool
         Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
         spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
@@ -172,7 +169,7 @@ def record(
     """
     _check_options(m, frames, fps, size, style, hold, background)
     clock = np.linspace(0.0, 1.0, frames)
-    stage = _Stage(m, ease, one_scale, size, clock)
+    stage = _Stage(m, ease, size, clock)
     trouble, lists = "", None
     if verified:
         try:
@@ -209,12 +206,9 @@ def record(
 class _Stage:
     """A morph by the clock, in pixels with y upwards: below the upper left corner of the canvas y is negative."""
 
-    def __init__(
-        self, m: Morph, ease: bool, one_scale: bool, size: int | tuple[int, int], clock: NDArray[np.float64]
-    ) -> None:
+    def __init__(self, m: Morph, ease: bool, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
         self._m, self._ease = m, ease
-        self._prepared = (lambda shapes: shapes) if one_scale else _alike
-        self._placed, self.width, self.height = _on_canvas(self._prepared(m.at(self.eased(clock))), size)
+        self._placed, self.width, self.height = _on_canvas(m.at(self.eased(clock)), size)
         self.events = [event._replace(time=self._uneased(event.time)) for event in m.events]
 
     def eased(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -224,7 +218,7 @@ class _Stage:
         return 0.5 - sin(asin(1 - 2 * t) / 3) if self._ease else t
 
     def at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._placed(self._prepared(self._m.at(self.eased(s))))
+        return self._placed(self._m.at(self.eased(s)))
 
     def triangles_at(self, s: float) -> NDArray[np.int64]:
         return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
@@ -271,12 +265,6 @@ def _bytes(color: str) -> NDArray[np.float64]:
 def _color(color: str) -> Color:
     red, green, blue = np.rint(_bytes(color)).astype(int).tolist()
     return red, green, blue
-
-
-def _alike(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The shapes made equally large, and their middles put in one place."""
-    low, high = shapes.min(axis=1, keepdims=True), shapes.max(axis=1, keepdims=True)
-    return (shapes - 0.5 * (low + high)) / (high - low).max(axis=2, keepdims=True)
 
 
 def _on_canvas(

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tween import Triangulation, certify, gallery, morph, remesh, triangulate
+from tween import Triangulation, certify, gallery, morph, paper_morph, remesh, triangulate
 from tween.choices import PATHS, Path
-from tween.morphing.compatible.angle_bounds import largest_angles
+from tween.morphing.compatible.angle_bounds import angle_bounds
 from tween.morphing.compatible.angle_budgets import vertex_sums
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.compatible.paths import corner_angles, third_vertices
@@ -22,7 +22,7 @@ thirds = st.builds(complex, coordinates, heights)
 def excess(path: Path, z1: complex, z2: complex, both: tuple[bool, bool], stretch: float, k: int) -> np.ndarray:
     """By how much bounds exceed the largest of 40 angles in each of k intervals; (3, k)."""
     about = np.array([z1]), np.array([z2]), np.array([both]), np.array([stretch])
-    bounds = largest_angles(path, *about, np.linspace(0, 1, k + 1))[0]
+    _, (bounds,) = angle_bounds(path, *about, np.linspace(0, 1, k + 1))
     angles = corner_angles(third_vertices(path, *about, np.linspace(0, 1, 40 * k + 1)))[0]
     inside = np.stack([angles[:, i : i + 40 * k : 40] for i in range(40)])
     return bounds - np.maximum(inside.max(axis=0), angles[:, 40::40])
@@ -66,8 +66,8 @@ def sum_of_angles(triangles: np.ndarray, shapes: np.ndarray) -> np.ndarray:
 
 def test_where_bounds_prove_it_no_budget_is_given_and_the_morph_says_so() -> None:
     T = triangulate(gallery.curve("horseshoe"))
-    m = morph(T, T.on_disk(), guarantee=True)
-    np.testing.assert_array_equal(m.frames(20), morph(T, T.on_disk()).frames(20))
+    m = morph(T, T.on_disk(), path="slide", guarantee=True, placement="root")
+    np.testing.assert_array_equal(m.frames(20), morph(T, T.on_disk(), "slide", False, placement="root").frames(20))
     assert "proved bounds" in m.proof
     assert certify(m).valid
 
@@ -75,7 +75,7 @@ def test_where_bounds_prove_it_no_budget_is_given_and_the_morph_says_so() -> Non
 @pytest.mark.parametrize("path", PATHS)
 def test_what_is_proved_is_said_and_nothing_else(path: Path) -> None:
     T = Triangulation([[0, 0], [3, 0], [3, 1], [1, 1]], [[0, 1, 2], [0, 2, 3]])
-    assert bool(morph(T, T.on_disk(), path=path).proof) == (path == "angle")
+    assert bool(paper_morph(T, T.on_disk(), path=path).proof) == (path == "angle")
     assert bool(morph(T, T.on_disk(), path=path, guarantee=True).proof) == (path != "area")
 
 

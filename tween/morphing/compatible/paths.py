@@ -90,11 +90,11 @@ def third_vertices(
     Mukherjee and Gopi, Section 5 and Figure 7.
     """
     if path == "linear":
-        return source[:, None] + times * (target - source)[:, None]
+        return (1 - times) * source[:, None] + times * target[:, None]
     if path == "slide":
         return _slide(source, target, propagates, times)
     if path == "angle":
-        return _by_angles(source, target, times)
+        return np.asarray(_apexes(base_angles(source), base_angles(target), times))
     if path == "metric":
         return _by_metric(source, target, stretch, times)
     raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
@@ -113,7 +113,7 @@ def base_angles(z: NDArray[np.complex128]) -> NDArray[np.float64]:
     ndarray of float64, shape (m, 3)
         Radians.
     """
-    return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
+    return np.asarray(corner_angles(z[:, None]))[..., 0]
 
 
 @njit(cache=True)
@@ -123,18 +123,38 @@ def corner_angles(z):
     for i in range(z.shape[0]):
         for f in range(z.shape[1]):
             x, y = z[i, f].real, z[i, f].imag
-            a, b = math.atan2(y, x), math.atan2(y, 1.0 - x)
-            # in the upper half plane a + b < pi, so that no case is needed
-            angles[i, 0, f], angles[i, 1, f], angles[i, 2, f] = a, b, math.pi - a - b
+            angles[i, 0, f], angles[i, 1, f] = math.atan2(y, x), math.atan2(y, 1.0 - x)
+            angles[i, 2, f] = third_angle(x, y)
     return angles
 
 
-def _by_angles(
-    source: NDArray[np.complex128], target: NDArray[np.complex128], times: NDArray[np.float64]
-) -> NDArray[np.complex128]:
-    first, second = base_angles(source), base_angles(target)
-    a, b, c = ((1 - times) * first[:, i, None] + times * second[:, i, None] for i in range(3))
-    return np.sin(b) / np.sin(c) * np.exp(1j * a)
+@njit(cache=True)
+def third_angle(x, y):
+    """The angle at the third vertex x + iy over the base from 0 to 1, precise however small it is."""
+    return math.atan2(y, x * (x - 1.0) + y * y)
+
+
+@njit(cache=True)
+def apex(a, b, c):
+    """The third vertex from the angles at 0, at 1 and at itself.
+
+    They add up to pi but for rounding; the sine of an angle near pi is taken from the other two, which are precise.
+    """
+    radius = math.sin(b if b < 1.5 else a + c) / math.sin(c if c < 1.5 else a + b)
+    return complex(radius * math.cos(a), radius * math.sin(a if a < 1.5 else b + c))
+
+
+@njit(cache=True)
+def _apexes(first, last, times):
+    """Third vertices, (m, k), of triangles whose angles, (m, 3), change linearly."""
+    z = np.empty((len(first), times.size), np.complex128)
+    for i in range(len(first)):
+        for f in range(times.size):
+            s, t = 1.0 - times[f], times[f]
+            z[i, f] = apex(
+                s * first[i, 0] + t * last[i, 0], s * first[i, 1] + t * last[i, 1], s * first[i, 2] + t * last[i, 2]
+            )
+    return z
 
 
 def _by_metric(
@@ -150,8 +170,7 @@ def _by_metric(
     real parts: positive, and free of cancellation.
     """
     weight = times * (stretch**2)[:, None]
-    q = weight / (1 - times + weight)
-    p = 1 - q
+    p, q = (1 - times) / (1 - times + weight), weight / (1 - times + weight)
     x1, y1, x2, y2 = (part[:, None] for part in (source.real, source.imag, target.real, target.imag))
     return p * x1 + q * x2 + 1j * np.sqrt(p * y1**2 + q * y2**2 + p * q * (x1 - x2) ** 2)
 
@@ -172,6 +191,13 @@ def area_apex(height, above, below):
     # the same root in two forms; each is used where it adds numbers of one sign
     w = -s * (height * height + 0.25) / (height * c + root) if c > 0.0 else (height * c - root) / s
     return complex(0.5 + w, height)
+
+
+@njit(cache=True)
+def bernstein(c, t):
+    """The cubic with four coefficients in Bernstein form; of positive ones it is precise, however small."""
+    s = 1.0 - t
+    return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3])
 
 
 def slides(
@@ -283,7 +309,7 @@ def _piece_length(p, q, end):
 @njit(cache=True)
 def _along_piece(p, q, end, share):
     if end == _LINE:
-        return p + share * (q - p)
+        return (1.0 - share) * p + share * q
     start = _angle(p - end)
     angle = start + share * (_angle(q - end) - start)
     radius = abs(p - end)
@@ -299,7 +325,7 @@ def _slide(source, target, propagates, times):
         pieces = _outline(source[m], target[m], propagates[m, 0], propagates[m, 1], p, q, ends)
         if pieces == 1:
             for f in range(times.size):
-                z[m, f] = source[m] + times[f] * (target[m] - source[m])
+                z[m, f] = (1.0 - times[f]) * source[m] + times[f] * target[m]
             continue
         for i in range(pieces):
             lengths[i] = _piece_length(p[i], q[i], ends[i])
