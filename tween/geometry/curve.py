@@ -132,7 +132,7 @@ class Curve:
     @cached_property
     def crossings(self) -> Crossings:
         """The pairs of edges that meet, as `Crossings`; a spatial index proposes, `orient2d` decides."""
-        return _crossings(self._points)
+        return find_crossings(self._points)
 
     def insert_vertices(self, count: int) -> "Curve":
         """Reach a number of vertices by halving the longest edges; the shape stays.
@@ -318,8 +318,18 @@ def turning_number(points: NDArray[np.float64]) -> int:
     return int(np.sum((turns > 0) & ~before & upper)) - int(np.sum((turns < 0) & before & ~upper))
 
 
-def _crossings(p: NDArray[np.float64]) -> Crossings:
-    n = len(p)
+def find_crossings(points: NDArray[np.float64]) -> Crossings:
+    """Find the pairs of edges of a closed polygon that meet, neighbours left out; it may have spikes, unlike a curve.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    Crossings
+    """
+    p, n = points, len(points)
     q = np.roll(p, -1, axis=0)
     edges = shapely.linestrings(np.stack([p, q], axis=1))
     i, j = shapely.STRtree(edges).query(edges)
