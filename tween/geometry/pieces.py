@@ -66,43 +66,59 @@ def tidied(points: _Floats) -> NDArray[np.intp]:
     return kept
 
 
-def droppable(x: Path, radius: float) -> list[Piece]:
-    """Find pieces of a smooth closed path that may be dropped, none of which overlaps another.
+def droppable(x: Path, path: Path, radius: float, reach: float) -> list[Piece]:
+    """Find pieces of a closed path that may be dropped, none of which overlaps another.
 
     Parameters
     ----------
     x : Path
-        Evenly spaced, about a quarter of the radius apart.
+        The path made smooth: evenly spaced, about a quarter of the radius apart.
+    path : Path
+        The path itself.
     radius : float
+        How near to each other the ends of a piece have to come.
+    reach : float
+        How far the path's points in it may be from where it begins; of what is retraced, from the rest of `x`.
 
     Returns
     -------
     list of Piece
-        Places where the path folds back first, then loops, the shortest first.
+        Loops and spikes, the shortest first, then what is retraced.
     """
     taken = np.zeros(len(x.points), dtype=np.bool_)
     pieces = []
-    for kind, a, b in [*_folds(x.points, radius), *_loops(x.points, radius)]:
+    for kind, a, b in [*_loops(x.points, radius), *_folds(x.points, radius)]:
         inside = np.arange(a, b + 1) % len(taken)
-        if not taken[inside].any():
+        if taken[inside].any():
+            continue
+        piece = Piece(kind, *x.places[inside[[0, -1]]].tolist())
+        rows = path.points[path.between(piece.first, piece.last)]
+        rest = x.points[inside[0]] if kind != "retraced" else x.points[np.arange(b, a + len(taken) + 1) % len(taken)]
+        if _distance(rows, rest) <= reach:
             taken[inside] = True
-            first, last = x.places[inside[0]], x.places[inside[-1]]
-            pieces.append(Piece(kind, float(first), float(last)))
+            pieces.append(piece)
     return pieces
 
 
+def _distance(points: _Floats, target: _Floats) -> float:
+    """Largest distance from a point, or from a polygonal path."""
+    if target.ndim == 1:
+        return float(np.hypot(*(points - target).T).max(initial=0.0))
+    return float(shapely.distance(shapely.points(points), shapely.linestrings(target)).max(initial=0.0))
+
+
 def _folds(x: _Floats, radius: float) -> list[tuple[str, int, int]]:
-    """Where the path turns back beside itself, and what it does there is covered by the rest of it."""
+    """Where the path turns back beside itself: short spikes, and pieces that the rest of the path covers."""
     found = []
     for m in _turning_points(x):
         a, b = _side_by_side(x, m, radius)
         piece, rest = x[np.arange(a, b + 1) % len(x)], x[np.arange(b, a + len(x) + 1) % len(x)]
         if b - a < 2 or len(rest) < 3:
             continue
-        far = shapely.distance(shapely.points(piece), shapely.linestrings(rest)).max()
-        if far <= radius:
-            small = np.hypot(*(piece - piece[0]).T).max() <= 2 * radius
-            found.append(("spike" if small else "retraced", a, b))
+        if _distance(piece, piece[0]) <= 2 * radius:
+            found.append(("spike", a, b))
+        elif _distance(piece, rest) <= radius:
+            found.append(("retraced", a, b))
     return sorted(found, key=lambda f: f[2] - f[1])
 
 
@@ -137,7 +153,9 @@ def _loops(x: _Floats, radius: float) -> list[tuple[str, int, int]]:
     longest = min(_LONGEST * radius / step, n / 2)
     for i, j in find_crossings(x).pairs.tolist():
         a, b = (i, j + 1) if j - i <= n / 2 else (j, i + 1 + n)
+        if b - a - 1 > longest:
+            continue
         loop = x[np.arange(a, b + 1) % n]
-        if b - a - 1 <= longest and np.hypot(*(loop - loop[0]).T).max() <= radius + 2 * step:
+        if _distance(loop, loop[0]) <= 1.5 * radius + step:
             found.append(("loop", a, b))
     return sorted(found, key=lambda f: f[2] - f[1])

@@ -101,6 +101,22 @@ class Path(NamedTuple):
         points = np.stack([np.interp(wanted, along, ring[:, c]) for c in (0, 1)], axis=-1)
         return Path(points, np.interp(wanted, along, self.ring_places), self.period)
 
+    def between(self, first: float, last: float) -> NDArray[np.bool_]:
+        """Tell which points lie from one place on to another, both included.
+
+        Parameters
+        ----------
+        first, last : float
+
+        Returns
+        -------
+        ndarray of bool
+        """
+        a, b = self.lifted([first, last])
+        if a > b:
+            return (self.places >= a) | (self.places <= b)
+        return (self.places >= a) & (self.places <= b)
+
     def without(self, first: float, last: float) -> "Path":
         """Leave out what lies between two places, and join them by an edge.
 

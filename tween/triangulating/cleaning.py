@@ -21,14 +21,16 @@ from tween.geometry.smoothing import Path, smoothed
 from tween.triangulating.changes import Changes, Dropped
 from tween.triangulating.decomposition import decompose
 
-_SHARES = (0.125, 0.25, 0.5, 1.0)  # of the smoothing asked for, that are tried
+_SHARES = (0.0625, 0.125, 0.25, 0.5, 1.0)  # of the smoothing asked for, that are tried
 _CLOSE = 0.05  # how near ends have to come, as a share of the size
 _ENDS, _ENDS_SHARE = 480, 0.125  # samples of an open stroke, and which share of them may be cut off at either end
 _LOSS = 0.5  # of gap that cutting off a unit of length has to save
 _TREMBLE = 0.02  # smoothing, as a share of the size, whose effect is taken for the tremor
 _STEADY = 0.001  # tremor, as a share of the size, below which none is seen
-_TIMES, _LEAST, _MOST = 4.0, 0.01, 0.05  # smoothing without being asked: in tremors, and its bounds as shares of the size
-_TUBE = 0.5  # of the smoothing for the tube; the rest is for vertices, which cut corners
+_TIMES = 2.0  # tremors that a smoothing has to exceed, for its tube to hold nearly all of the stroke
+_MOST = 0.05  # smoothing allowed without being asked, as a share of the size
+_TUBE = 0.6  # of the smoothing for the tube; the rest is for vertices, which cut corners
+_NEAR, _REACH = 0.5, 0.75  # of the smoothing for the ends of a piece that is dropped, and for what it may reach
 _ROUNDS = 8  # of smoothing and dropping
 _PER_RADIUS = 4  # samples of a radius' length among which pieces are sought
 _TINY = np.finfo(np.float64).tiny
@@ -44,6 +46,9 @@ class CleanedCurve(Curve):
     """
 
     _changes: Changes
+
+    def __repr__(self) -> str:
+        return f"Cleaned{super().__repr__()}"
 
     @property
     def changes(self) -> Changes:
@@ -108,19 +113,23 @@ def clean(
     p = _checked(points)
     size = 2 * float(shapely.minimum_bounding_radius(shapely.multipoints(p)))
     tremor = _tremor(p, _TREMBLE * size)
-    asked = _option("smooth", smooth, float(np.clip(_TIMES * tremor, _LEAST * size, _MOST * size)))
+    asked = _option("smooth", smooth, _MOST * size)
     near = _option("close", close, _CLOSE * size)
     if vertices is not None and vertices < 3:
         raise CurveError(f"{vertices} vertices wanted, but a curve needs at least 3")
     request = _Request(p, asked, near, tremor, vertices)
-    untouched = smooth is None and tremor <= _STEADY * size
-    smoothings = [0.0] * untouched + ([share * asked for share in _SHARES] if asked else [0.0])
     attempts: list[CleanedCurve] = []
-    for s in smoothings:
+    for s in _smoothings(asked, tremor, smooth is None and tremor <= _STEADY * size):
         attempts.append(_cleaned(request, s))
         if attempts[-1].changes.bounds_disk and attempts[-1].changes.within:
             return attempts[-1]
     return next((curve for curve in attempts if curve.changes.bounds_disk), attempts[-1])
+
+
+def _smoothings(asked: float, tremor: float, none_first: bool) -> list[float]:
+    """Those to try: halves, quarters and eighths of the one asked for, while they exceed the tremor."""
+    tried = [share * asked for share in _SHARES if share == 1 or share * asked > _TIMES * tremor]
+    return [0.0] * (none_first and asked > 0) + tried
 
 
 class _Request(NamedTuple):
@@ -167,7 +176,7 @@ def _cleaned(request: _Request, s: float) -> CleanedCurve:
     """Clean a stroke with one smoothing."""
     path, pieces = _closed(request, s)
     if s:
-        x, path, more = _settled(path, _TUBE * s)
+        x, path, more = _settled(path, s)
         found = _resampled(x, path, s, request.vertices)
     else:
         found, more = _as_it_is(path, request.vertices)
@@ -231,12 +240,13 @@ def _ends(path: Path, s: float, close: float) -> tuple[float, float]:
 # Smoothing
 
 
-def _settled(path: Path, radius: float) -> tuple[Path, Path, list[Piece]]:
+def _settled(path: Path, s: float) -> tuple[Path, Path, list[Piece]]:
     """Smooth and drop until nothing is left to drop: the smooth path, what it stands for, and the pieces."""
+    radius, near = _TUBE * s, _NEAR * s
     dropped: list[Piece] = []
     for _ in range(_ROUNDS):
         x = smoothed(path, radius)
-        pieces = droppable(x.evenly(max(16, math.ceil(_PER_RADIUS * x.length / radius))), radius)
+        pieces = droppable(x.evenly(max(16, math.ceil(_PER_RADIUS * x.length / near))), path, near, _REACH * s)
         for piece in pieces:
             path = path.without(piece.first, piece.last)
         dropped += pieces
