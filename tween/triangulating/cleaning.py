@@ -35,6 +35,7 @@ _ROUNDS = 8  # of smoothing and dropping
 _PER_RADIUS = 4  # samples of a radius' length among which pieces are sought
 _TINY = np.finfo(np.float64).tiny
 _FEWEST_VERTICES, _MOST_VERTICES = 60, 960
+_LONGEST_EDGE = 1.5  # smoothings, where the number of vertices is not given
 
 _Floats = NDArray[np.float64]
 
@@ -182,13 +183,12 @@ def _cleaned(request: _Request, s: float) -> CleanedCurve:
         found, more = _as_it_is(path, request.vertices)
     curve, moved = _curve(found), _moved(path, found)
     dropped = tuple(_dropped(piece, request.p, curve) for piece in sorted([*pieces, *more], key=lambda c: c.first))
-    ends = path.points[-1] - path.points[0]
     changes = Changes(
         asked=request.asked,
         smoothing=s,
         tremor=request.tremor,
         moved=moved,
-        gap=float(np.hypot(*ends)),
+        gap=_gap(path, request.p),
         close=request.close,
         dropped=dropped,
         rows=len(request.p),
@@ -237,6 +237,12 @@ def _ends(path: Path, s: float, close: float) -> tuple[float, float]:
     return float(x.places[i]), float(x.places[_ENDS - 1 - j])
 
 
+def _gap(path: Path, p: _Floats) -> float:
+    """Length of the edge that joins the ends; 0 where that is an edge like others of the stroke."""
+    joint = float(path.steps[-1])
+    return joint if joint > Path(p, np.arange(len(p), dtype=np.float64)).steps.max() else 0.0
+
+
 # Smoothing
 
 
@@ -258,8 +264,9 @@ def _settled(path: Path, s: float) -> tuple[Path, Path, list[Piece]]:
 def _resampled(x: Path, path: Path, s: float, vertices: int | None) -> Path:
     """Take evenly spaced points: as many as asked, or as keep the path within the smoothing."""
     n = vertices or _FEWEST_VERTICES
+    longest = _LONGEST_EDGE * s
     found = x.evenly(n)
-    while not vertices and n < _MOST_VERTICES and _moved(path, found) > s:
+    while not vertices and n < _MOST_VERTICES and (x.length > n * longest or _moved(path, found) > s):
         n *= 2
         found = x.evenly(n)
     return found
