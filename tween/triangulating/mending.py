@@ -1,0 +1,242 @@
+"""What would make a curve bound a disk: cleaning it, or cutting off loops; checked before it is suggested.
+
+Legend: ``p`` points of what is left of a curve after some cuts; a *cut* keeps one loop of the two at a place where the
+curve meets itself, see `loops`.
+"""
+
+import heapq
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import count
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from tween.errors import CurveError
+from tween.geometry.curve import Curve
+from tween.geometry.faces import covered_area
+from tween.geometry.loops import meetings, split
+from tween.triangulating.cleaning import clean
+from tween.triangulating.decomposition import decompose
+
+_SMOOTH = 0.04  # smoothing that is tried, as a share of the size
+_MOST_CUTS = 4
+_MOST_CROSSINGS = 2000  # places at which a curve is cut, those of the smallest loops
+_TRIES, _WORK = 400, 4_000_000  # curves that are decided at most, and their vertices in all
+_SUGGESTED = 3  # ways to cut
+
+_Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Suggestion:
+    """A change after which a curve bounds a disk.
+
+    Attributes
+    ----------
+    what : {"clean", "cut"}
+    text : str
+        What to do, as a clause of a sentence.
+    where : tuple of tuple of float
+        The places (x, y) at which loops are cut off; none for cleaning.
+    lost : float
+        Area that the change removes, covered areas counted as often as the curve winds about them.
+    share : float
+        The same as a share of what the curve covers.
+    curve : Curve
+        The mended curve; it bounds an immersed disk.
+    smooth : float
+        The smoothing to clean with; 0 for cuts.
+    loops : tuple of ndarray of float64, shape (m, 2)
+        The loops that are cut off.
+    """
+
+    what: str
+    text: str
+    where: tuple[tuple[float, float], ...]
+    lost: float
+    share: float
+    curve: Curve
+    smooth: float = 0.0
+    loops: tuple[_Floats, ...] = field(default=(), repr=False)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the same as numbers, lists and text, for JSON.
+
+        Returns
+        -------
+        dict
+        """
+        names = ("what", "text", "lost", "share", "smooth")
+        plain = {name: getattr(self, name) for name in names}
+        return {**plain, "where": [list(place) for place in self.where], "curve": self.curve.points.tolist()}
+
+
+class Mending(NamedTuple):
+    """Suggestions, and what was looked at for them.
+
+    Attributes
+    ----------
+    suggestions : tuple of Suggestion
+        Cleaning first, then cuts, the least area first.
+    tried, possible : int
+        Single cuts that were tried, and that there are.
+    """
+
+    suggestions: tuple[Suggestion, ...]
+    tried: int
+    possible: int
+
+
+def mend(curve: Curve, covered: float) -> Mending:
+    """Look for changes after which a curve bounds a disk.
+
+    Parameters
+    ----------
+    curve : Curve
+        One that bounds none.
+    covered : float
+        Its `covered_area`.
+
+    Returns
+    -------
+    Mending
+
+    Notes
+    -----
+    All single cuts are tried, of either loop at each place where the curve meets itself.  Then up to four cuts are
+    combined as long as they lose less than the best single one, the least area first.  Of at most 400 curves each,
+    and of 4 million vertices in all, it is decided whether they bound a disk.
+
+    Examples
+    --------
+    >>> eight = Curve([[0, 0], [2, 2], [2, 0], [0, 1.5]])
+    >>> [s.text for s in mend(eight, covered_area(eight.points)).suggestions][0]
+    'cut off the loop at (0.8571, 0.8571)'
+    """
+    tries = int(np.clip(_WORK // len(curve), 4, _TRIES))
+    singles, tried, possible = _singles(curve, covered, tries)
+    least = min((found.lost for found in singles), default=math.inf)
+    found = [*_several(curve, covered, least, tries), *singles]
+    ordered = sorted(found, key=lambda s: s.lost)[:_SUGGESTED]
+    cleaned = _cleaned(curve, covered)
+    return Mending((*([cleaned] if cleaned else []), *ordered), tried, possible)
+
+
+def _cleaned(curve: Curve, covered: float) -> Suggestion | None:
+    """Clean a curve, if that gives a disk."""
+    size = 2 * float(shapely.minimum_bounding_radius(shapely.multipoints(curve.points)))
+    smooth = float(f"{_SMOOTH * size:.2g}")
+    try:
+        cleaned = clean(curve, smooth)
+    except CurveError:
+        return None
+    if not cleaned.changes.bounds_disk:
+        return None
+    lost = abs(covered - covered_area(cleaned.points))
+    text = f"tween.clean(curve, smooth={smooth:g})"
+    return Suggestion("clean", text, (), lost, lost / covered, cleaned, smooth=smooth)
+
+
+# Cuts
+
+
+class _Cut(NamedTuple):
+    """What is left of a curve after some cuts, and what they took."""
+
+    points: _Floats
+    lost: float
+    where: tuple[tuple[float, float], ...] = ()
+    loops: tuple[_Floats, ...] = ()
+
+
+class _Next(NamedTuple):
+    """A cut that has not been made: at which place, of which loop, at least what it takes in all."""
+
+    least: float
+    number: int
+    before: _Cut
+    pair: tuple[int, int]
+    place: _Floats
+    inner: bool
+
+
+def _possible(before: _Cut, numbers: Iterator[int]) -> list[_Next]:
+    """List the cuts that may be made, those that take least first; a loop covers at least its signed area."""
+    curve = Curve(before.points)
+    at = meetings(curve)
+    areas = np.abs(at.areas)
+    order = np.argsort(areas.min(axis=1), kind="stable")[:_MOST_CROSSINGS]
+    cut = before._replace(points=curve.points)
+    cuts = [
+        _Next(before.lost + areas[m, side], next(numbers), cut, (int(i), int(j)), at.places[m], side == 0)
+        for m in order
+        for i, j in [at.pairs[m]]
+        for side in (0, 1)
+    ]
+    return sorted(cuts)
+
+
+def _made(cut: _Next) -> _Cut | None:
+    """Make a cut; None where nothing is left."""
+    inner, outer = split(cut.before.points, cut.pair, cut.place)
+    kept, gone = (outer, inner) if cut.inner else (inner, outer)
+    if len(kept) < 3:
+        return None
+    x, y = cut.place.tolist()
+    lost = covered_area(gone) if len(gone) > 2 else 0.0
+    return _Cut(kept, cut.before.lost + lost, (*cut.before.where, (x, y)), (*cut.before.loops, gone))
+
+
+def _bounds(points: _Floats) -> Curve | None:
+    """The curve, if it bounds a disk."""
+    curve = Curve(points)
+    return curve if curve.turning_number == 1 and decompose(curve) else None
+
+
+def _singles(curve: Curve, covered: float, tries: int) -> tuple[list[Suggestion], int, int]:
+    """Try single cuts: half of them those that take least, half those that leave least, which are simple sooner."""
+    cuts = _possible(_Cut(curve.points, 0.0), count())
+    tried = cuts if len(cuts) <= tries else cuts[: tries // 2] + cuts[: -tries // 2 - 1 : -1]
+    found = []
+    for cut in tried:
+        made = _made(cut)
+        mended = _bounds(made.points) if made else None
+        if made and mended:
+            found.append(_suggestion(made, mended, covered))
+    return found, len(tried), len(cuts)
+
+
+def _several(curve: Curve, covered: float, most: float, tries: int) -> list[Suggestion]:
+    """Combine cuts that take less than a given area, the least first, until one combination bounds a disk."""
+    numbers = count()
+    heap = [cut for cut in _possible(_Cut(curve.points, 0.0), numbers) if cut.least < most]
+    seen: set[tuple[int, float]] = set()
+    while heap and tries:
+        cut = heapq.heappop(heap)
+        made = _made(cut)
+        if made is None or made.lost >= most:
+            continue
+        key = (len(made.points), float(f"{np.abs(made.points).sum():.9g}"))
+        if key in seen:
+            continue
+        seen.add(key)
+        tries -= 1
+        mended = _bounds(made.points) if len(made.where) > 1 else None
+        if mended:
+            most = made.lost
+            return [_suggestion(made, mended, covered)]
+        if len(made.where) < _MOST_CUTS:
+            for after in _possible(made, numbers):
+                if after.least < most:
+                    heapq.heappush(heap, after)
+    return []
+
+
+def _suggestion(made: _Cut, mended: Curve, covered: float) -> Suggestion:
+    places = [f"({x:.4g}, {y:.4g})" for x, y in made.where]
+    loops = f"the loop at {places[0]}" if len(places) == 1 else f"the loops at {', '.join(places[:-1])} and {places[-1]}"
+    return Suggestion("cut", f"cut off {loops}", made.where, made.lost, made.lost / covered, mended, loops=made.loops)
