@@ -104,4 +104,7 @@ def covered_area(points: _Floats) -> float:
     >>> covered_area(np.array([[0.0, 0], [2, 2], [2, 0], [0, 2]]))
     2.0
     """
+    ring = shapely.linearrings(points)
+    if shapely.is_simple(ring):
+        return float(shapely.area(shapely.polygons(ring)))
     return float(sum(abs(face.winding) * face.polygon.area for face in faces(points)))

@@ -94,17 +94,19 @@ def droppable(x: Path, path: Path, radius: float, reach: float) -> list[Piece]:
         piece = Piece(kind, *x.places[inside[[0, -1]]].tolist())
         rows = path.points[path.between(piece.first, piece.last)]
         rest = x.points[inside[0]] if kind != "retraced" else x.points[np.arange(b, a + len(taken) + 1) % len(taken)]
-        if _distance(rows, rest) <= reach:
+        if _near(rows, rest, reach):
             taken[inside] = True
             pieces.append(piece)
     return pieces
 
 
-def _distance(points: _Floats, target: _Floats) -> float:
-    """Largest distance from a point, or from a polygonal path."""
+def _near(points: _Floats, target: _Floats, radius: float) -> bool:
+    """Whether all points are within a radius of a point, or of a polygonal path."""
     if target.ndim == 1:
-        return float(np.hypot(*(points - target).T).max(initial=0.0))
-    return float(shapely.distance(shapely.points(points), shapely.linestrings(target)).max(initial=0.0))
+        return bool(np.hypot(*(points - target).T).max(initial=0.0) <= radius)
+    line = shapely.linestrings(target)
+    shapely.prepare(line)
+    return bool(shapely.dwithin(line, shapely.points(points), radius).all())
 
 
 def _folds(x: _Floats, radius: float) -> list[tuple[str, int, int]]:
@@ -115,9 +117,9 @@ def _folds(x: _Floats, radius: float) -> list[tuple[str, int, int]]:
         piece, rest = x[np.arange(a, b + 1) % len(x)], x[np.arange(b, a + len(x) + 1) % len(x)]
         if b - a < 2 or len(rest) < 3:
             continue
-        if _distance(piece, piece[0]) <= 2 * radius:
+        if _near(piece, piece[0], 2 * radius):
             found.append(("spike", a, b))
-        elif _distance(piece, rest) <= radius:
+        elif _near(piece, rest, radius):
             found.append(("retraced", a, b))
     return sorted(found, key=lambda f: f[2] - f[1])
 
@@ -156,6 +158,6 @@ def _loops(x: _Floats, radius: float) -> list[tuple[str, int, int]]:
         if b - a - 1 > longest:
             continue
         loop = x[np.arange(a, b + 1) % n]
-        if _distance(loop, loop[0]) <= 1.5 * radius + step:
+        if _near(loop, loop[0], 1.5 * radius + step):
             found.append(("loop", a, b))
     return sorted(found, key=lambda f: f[2] - f[1])

@@ -306,9 +306,9 @@ class Decomposition:
         The curve bounds no immersed disk: turning number is 0, not 1; to mend it, cut off the loop at (1.714, 1.714).
         It meets itself 1 time, with no tiny loops.
         Its turning number is 0: 1 loop counter-clockwise less 1 clockwise; the smallest of them at (1.714, 1.714).
-        It winds clockwise about 1 region: at (2.914, 1.907) (-1).
+        It winds clockwise about 1 region: at (3.429, 2.857) (-1).
         1. cut off the loop at (1.714, 1.714): 36 % of the area is lost.
-        2. cut off the loop at (1.714, 1.714): 64 % of the area is lost.
+        2. keep only the loop at (1.714, 1.714): 64 % of the area is lost.
         """
         from tween.triangulating.explanation import explain  # here, as it decomposes the curves that it suggests
 

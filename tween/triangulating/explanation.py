@@ -47,8 +47,10 @@ class Explanation:
     curve : Curve
     reason : str
         `Decomposition.reason`; empty where the curve bounds a disk.
+    places : ndarray of float64, shape (k, 2)
+        Where the curve meets itself; none where that was not looked at.
     crossings : int
-        How often the curve meets itself.
+        How often it does.
     tiny : tuple of Loop
         Loops that stay within 1/50 of the curve's size from where they close, the smallest first.
     loops : tuple of Loop
@@ -65,6 +67,7 @@ class Explanation:
 
     curve: Curve
     reason: str
+    places: _Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False)
     crossings: int = 0
     tiny: tuple[Loop, ...] = field(default=(), repr=False)
     loops: tuple[Loop, ...] = field(default=(), repr=False)
@@ -94,7 +97,7 @@ class Explanation:
             where = _listed([f"{_at(face.place)} ({face.winding})" for face in self.negative])
             yield f"It winds clockwise about {_many(len(self.negative), 'region')}: at {where}."
         for number, suggestion in enumerate(self.suggestions, 1):
-            yield f"{number}. {suggestion.text}: {100 * suggestion.share:.2g} % of the area is lost."
+            yield f"{number}. {suggestion.text}: {_percent(suggestion.share)} of the area is lost."
         if not self.suggestions:
             yield "No way to mend it was found."
         yield from (f"Not looked at: {words}." for words in self.unseen)
@@ -153,16 +156,17 @@ def explain(curve: Curve, reason: str) -> Explanation:
     """
     crossings = len(curve.crossings)
     if not reason:
-        return Explanation(curve, reason, crossings)
+        return Explanation(curve, reason, meetings(curve).places, crossings)
     if crossings > _MOST_CROSSINGS:
         unseen = (f"loops and regions, as there are more than {_MOST_CROSSINGS} crossings; clean the curve first",)
-        return Explanation(curve, reason, crossings, unseen=unseen)
+        return Explanation(curve, reason, crossings=crossings, unseen=unseen)
     at, found = meetings(curve), faces(curve.points)
     negative = sorted((face for face in found if face.winding < 0), key=lambda face: -face.polygon.area)
     mending = mend(curve, sum(abs(face.winding) * face.polygon.area for face in found))
     return Explanation(
         curve,
         reason,
+        at.places,
         crossings,
         tiny=tuple(_tiny(curve, at)),
         loops=tuple(_loops(curve, at)),
@@ -193,7 +197,7 @@ def _loops(curve: Curve, at: Meetings) -> list[Loop]:
 
 def _unseen(mending: Mending) -> Iterator[str]:
     if mending.tried < mending.possible:
-        yield f"{mending.possible - mending.tried} of {mending.possible} loops that might be cut off"
+        yield f"{mending.possible - mending.tried} of the {mending.possible} loops that might be cut off"
 
 
 def _place(point: _Floats) -> tuple[float, float]:
@@ -212,6 +216,10 @@ def _at(place: tuple[float, float] | _Floats) -> str:
 def _listed(words: list[str]) -> str:
     more = len(words) - _NAMED
     return ", ".join(words[:_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def _percent(share: float) -> str:
+    return f"{round(100 * share)} %" if share >= 0.01 else "less than 1 %"
 
 
 def _many(number: int, name: str) -> str:

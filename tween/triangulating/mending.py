@@ -23,9 +23,10 @@ from tween.triangulating.cleaning import clean
 from tween.triangulating.decomposition import decompose
 
 _SMOOTH = 0.04  # smoothing that is tried, as a share of the size
+_NOISY = 200  # crossings beyond which no loops are cut off where cleaning does
 _MOST_CUTS = 4
 _MOST_CROSSINGS = 2000  # places at which a curve is cut, those of the smallest loops
-_TRIES, _WORK = 400, 4_000_000  # curves that are decided at most, and their vertices in all
+_TRIES, _WORK = 200, 1_000_000  # curves that are decided at most, and their vertices in all
 _SUGGESTED = 3  # ways to cut
 
 _Floats = NDArray[np.float64]
@@ -108,8 +109,8 @@ def mend(curve: Curve, covered: float) -> Mending:
     Notes
     -----
     All single cuts are tried, of either loop at each place where the curve meets itself.  Then up to four cuts are
-    combined as long as they lose less than the best single one, the least area first.  Of at most 400 curves each,
-    and of 4 million vertices in all, it is decided whether they bound a disk.
+    combined as long as they lose less than the best single one, the least area first.  At most 200 cuts each,
+    and a million vertices in all, are tried.  A curve of more than 200 crossings that cleaning mends is not cut.
 
     Examples
     --------
@@ -117,13 +118,14 @@ def mend(curve: Curve, covered: float) -> Mending:
     >>> [s.text for s in mend(eight, covered_area(eight.points)).suggestions][0]
     'cut off the loop at (0.8571, 0.8571)'
     """
+    cleaned = _cleaned(curve, covered)
+    if cleaned and len(curve.crossings) > _NOISY:
+        return Mending((cleaned,), 0, 2 * len(curve.crossings))
     tries = int(np.clip(_WORK // len(curve), 4, _TRIES))
     singles, tried, possible = _singles(curve, covered, tries)
     least = min((found.lost for found in singles), default=math.inf)
-    found = [*_several(curve, covered, least, tries), *singles]
-    ordered = sorted(found, key=lambda s: s.lost)[:_SUGGESTED]
-    cleaned = _cleaned(curve, covered)
-    return Mending((*([cleaned] if cleaned else []), *ordered), tried, possible)
+    found = sorted([*_several(curve, covered, least, tries), *singles], key=lambda s: s.lost)
+    return Mending((*([cleaned] if cleaned else []), *found[:_SUGGESTED]), tried, possible)
 
 
 def _cleaned(curve: Curve, covered: float) -> Suggestion | None:
@@ -137,7 +139,7 @@ def _cleaned(curve: Curve, covered: float) -> Suggestion | None:
     if not cleaned.changes.bounds_disk:
         return None
     lost = abs(covered - covered_area(cleaned.points))
-    text = f"tween.clean(curve, smooth={smooth:g})"
+    text = f"smooth it with tween.clean(curve, smooth={smooth:g})"
     return Suggestion("clean", text, (), lost, lost / covered, cleaned, smooth=smooth)
 
 
@@ -201,12 +203,8 @@ def _singles(curve: Curve, covered: float, tries: int) -> tuple[list[Suggestion]
     """Try single cuts: half of them those that take least, half those that leave least, which are simple sooner."""
     cuts = _possible(_Cut(curve.points, 0.0), count())
     tried = cuts if len(cuts) <= tries else cuts[: tries // 2] + cuts[: -tries // 2 - 1 : -1]
-    found = []
-    for cut in tried:
-        made = _made(cut)
-        mended = _bounds(made.points) if made else None
-        if made and mended:
-            found.append(_suggestion(made, mended, covered))
+    made = [made for made in map(_made, tried) if made]
+    found = [_suggestion(cut, mended, covered) for cut in made if (mended := _bounds(cut.points))]
     return found, len(tried), len(cuts)
 
 
@@ -215,19 +213,18 @@ def _several(curve: Curve, covered: float, most: float, tries: int) -> list[Sugg
     numbers = count()
     heap = [cut for cut in _possible(_Cut(curve.points, 0.0), numbers) if cut.least < most]
     seen: set[tuple[int, float]] = set()
-    while heap and tries:
-        cut = heapq.heappop(heap)
-        made = _made(cut)
+    for _ in range(tries):
+        if not heap:
+            break
+        made = _made(heapq.heappop(heap))
         if made is None or made.lost >= most:
             continue
         key = (len(made.points), float(f"{np.abs(made.points).sum():.9g}"))
         if key in seen:
             continue
         seen.add(key)
-        tries -= 1
         mended = _bounds(made.points) if len(made.where) > 1 else None
         if mended:
-            most = made.lost
             return [_suggestion(made, mended, covered)]
         if len(made.where) < _MOST_CUTS:
             for after in _possible(made, numbers):
@@ -239,4 +236,5 @@ def _several(curve: Curve, covered: float, most: float, tries: int) -> list[Sugg
 def _suggestion(made: _Cut, mended: Curve, covered: float) -> Suggestion:
     places = [f"({x:.4g}, {y:.4g})" for x, y in made.where]
     loops = f"the loop at {places[0]}" if len(places) == 1 else f"the loops at {', '.join(places[:-1])} and {places[-1]}"
-    return Suggestion("cut", f"cut off {loops}", made.where, made.lost, made.lost / covered, mended, loops=made.loops)
+    keep = len(places) == 1 and 2 * made.lost > covered
+    return Suggestion("cut", f"{'keep only' if keep else 'cut off'} {loops}", made.where, made.lost, made.lost / covered, mended, loops=made.loops)
