@@ -167,7 +167,7 @@ class Curve:
         """
         if count < len(self):
             raise CurveError(f"{count} vertices wanted, but the curve has {len(self)} already")
-        points, origin = _halve_longest_edges(self._points, self._origin, count)
+        points, origin = halve_longest_edges(self._points, self._origin, count)
         try:
             curve = Curve(points)
         except CurveError as error:
@@ -351,12 +351,32 @@ def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray
     return inside[:, 0] & inside[:, 1]
 
 
-def _halve_longest_edges(
+def halve_longest_edges(
     points: NDArray[np.float64], origin: NDArray[np.intp], count: int
 ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Halve the longest edge until there are `count`; a heap holds (-length, position, start, end)."""
+    """Halve the longest edge of a closed polygon until there are enough.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+    origin : ndarray of int, shape (n,)
+        A number for each.
+    count : int
+        Points wanted, at least n.
+
+    Returns
+    -------
+    points : ndarray of float64, shape (count, 2)
+    origin : ndarray of int, shape (count,)
+        The given numbers; -1 for midpoints.
+
+    Raises
+    ------
+    CurveError
+        Where an edge is too short to be halved.
+    """
     n = len(points)
-    heap = []
+    heap = []  # (-length, position, start, end, span)
     for i in range(n):
         a, b = points[i], points[(i + 1) % n]
         # math.hypot is Python's own; the last bit of numpy's is the platform's, and would decide between equal edges.

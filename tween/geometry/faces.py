@@ -83,8 +83,8 @@ def faces(points: _Floats) -> list[Face]:
     """
     found = shapely.get_parts(shapely.polygonize([shapely.unary_union(shapely.linearrings(points))]))
     places = shapely.get_coordinates(shapely.point_on_surface(found))
-    windings = winding_numbers(points, places) if len(places) else []
-    return [Face(*face) for face in zip(found, places, map(int, windings), strict=True)]
+    windings = winding_numbers(points, places).tolist()
+    return [Face(*face) for face in zip(found, places, windings, strict=True)]
 
 
 def covered_area(points: _Floats) -> float:

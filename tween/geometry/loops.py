@@ -1,7 +1,7 @@
 """The loops of a curve: the two at each place where it meets itself, and those into which it falls apart.
 
-Edges i < j meet at a point c.  The curve leads from c along edge i, over the vertices i+1, ..., j, back to c: the *inner*
-loop; and on along edge j, over j+1, ..., n-1, 0, ..., i: the *outer* one.  Either may be cut off.
+Edges i < j meet at a point c.  The curve leads from c along edge i, over the vertices i+1, ..., j, back to c: the
+*inner* loop; and on along edge j, over j+1, ..., n-1, 0, ..., i: the *outer* one.  Either may be cut off.
 
                      i+1  ...
                      /       \
@@ -64,9 +64,8 @@ def meetings(curve: Curve) -> Meetings:
     origin = p[0]
     sums = np.append(0.0, np.cumsum(_cross(p - origin, np.roll(p, -1, axis=0) - origin)))
     c = places - origin
-    inner = sums[j] - sums[(i + 1)] + _cross(c, p[i + 1] - origin) + _cross(p[j] - origin, c)
-    inner = np.where(j == i, 0.0, inner) / 2
-    return Meetings(crossings.pairs, places, np.stack([inner, sums[-1] / 2 - inner], axis=1))
+    inner = sums[j] - sums[i + 1] + _cross(c, p[i + 1] - origin) + _cross(p[j] - origin, c)
+    return Meetings(crossings.pairs, places, np.stack([inner, sums[-1] - inner], axis=1) / 2)
 
 
 def _cross(a: _Floats, b: _Floats) -> _Floats:
@@ -150,6 +149,8 @@ def simple_loops(curve: Curve, at: Meetings) -> list[_Floats]:
     H. Seifert, *Über das Geschlecht von Knoten*, Mathematische Annalen 110 (1935) 571-592: such loops of a knot.
     """
     p, k = curve.points, len(at)
+    if not k:
+        return [p]
     edge = at.pairs.T.ravel()  # visits 0..k-1 are on edges i, visits k..2k-1 on edges j
     off = np.hypot(*(np.tile(at.places, (2, 1)) - p[edge]).T)
     order = np.lexsort((off, edge))
@@ -162,7 +163,9 @@ def simple_loops(curve: Curve, at: Meetings) -> list[_Floats]:
             unseen[visit] = False
             leaving = (visit + k) % (2 * k)
             visit = int(following[leaving])
-            pieces.append(_along(p, at.places[leaving % k], int(edge[leaving]), int(edge[visit]), off[leaving] < off[visit]))
+            pieces.append(
+                _along(p, at.places[leaving % k], int(edge[leaving]), int(edge[visit]), off[leaving] < off[visit])
+            )
         if pieces:
             loops.append(np.concatenate(pieces))
     signs = sum(1 if signed_area(loop) > 0 else -1 for loop in loops)

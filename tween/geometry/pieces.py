@@ -1,4 +1,4 @@
-"""Pieces of a stroke that may be dropped: spikes, tiny loops, and what is drawn twice.
+r"""Pieces of a stroke that may be dropped: spikes, tiny loops, and what is drawn twice.
 
 A *piece* may be dropped where its ends lie within a radius of each other, and all of it within the radius of what is
 kept; so no point of the stroke is farther than that from what is left of it.

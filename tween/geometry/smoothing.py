@@ -1,7 +1,7 @@
 """A stroke made smooth inside a tube around it, and its places told apart from its points.
 
-Legend: ``p`` points; ``t`` their places along the stroke, in rows: 2.5 is halfway from row 2 to row 3; ``x`` points made
-smooth.
+Legend: ``t`` places along the stroke, in rows: 2.5 is halfway from row 2 to row 3; ``a b`` the ends of a piece of it;
+``x`` points made smooth.
 """
 
 import math

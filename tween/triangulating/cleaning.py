@@ -15,19 +15,19 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
-from tween.geometry.curve import Curve, coordinate_fault
+from tween.geometry.curve import Curve, coordinate_fault, halve_longest_edges
 from tween.geometry.pieces import Piece, droppable, tidied
 from tween.geometry.smoothing import Path, smoothed
 from tween.triangulating.changes import Changes, Dropped
 from tween.triangulating.decomposition import decompose
 
-_SHARES = (0.0625, 0.125, 0.25, 0.5, 1.0)  # of the smoothing asked for, that are tried
+_SHARES = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)  # of the smoothing asked for, that are tried
 _CLOSE = 0.05  # how near ends have to come, as a share of the size
 _ENDS, _ENDS_SHARE = 480, 0.125  # samples of an open stroke, and which share of them may be cut off at either end
 _LOSS = 0.5  # of gap that cutting off a unit of length has to save
 _TREMBLE = 0.02  # smoothing, as a share of the size, whose effect is taken for the tremor
 _STEADY = 0.001  # tremor, as a share of the size, below which none is seen
-_TIMES = 2.0  # tremors that a smoothing has to exceed, for its tube to hold nearly all of the stroke
+_TIMES = 2.0  # tremors that a smoothing has to exceed: about so much is needed to tell tremor from shape
 _MOST = 0.05  # smoothing allowed without being asked, as a share of the size
 _TUBE = 0.6  # of the smoothing for the tube; the rest is for vertices, which cut corners
 _NEAR, _REACH = 0.5, 0.75  # of the smoothing for the ends of a piece that is dropped, and for what it may reach
@@ -58,23 +58,20 @@ class CleanedCurve(Curve):
 
 
 def clean(
-    points: ArrayLike, smooth: float | None = None, close: float | None = None, vertices: int | None = None
+    points: Curve | ArrayLike, smooth: float | None = None, close: float | None = None, vertices: int | None = None
 ) -> CleanedCurve:
     """Make a curve that can be used of a noisy stroke, and say what that changed.
-
-    Drops repeated points, spikes, loops smaller than the smoothing and what is drawn twice; joins the ends; smooths;
-    takes evenly spaced vertices.
 
     Parameters
     ----------
     points : Curve or array_like of shape (k, 2)
         Points along the stroke; the last is joined to the first.
     smooth : float, optional
-        How far anything may be moved, in the unit of the points; 0 moves nothing.  Without it, four times the tremor
-        of the stroke (see `Changes`), but from 1/100 to 1/20 of its size, its largest diameter.
+        How far anything may be moved, in the unit of the points; 0 moves nothing.  Without it, 1/20 of the size, which
+        is the diameter of the smallest circle around all points.
     close : float, optional
-        How near to each other the ends have to come for what was drawn beyond to be cut off.  Without it, 1/20
-        of the size.
+        How near to each other the ends have to come for what was drawn before or beyond to be cut off.  Without it,
+        1/20 of the size.
     vertices : int, optional
         Number of vertices, at least 3.  Without it, as many as the smoothing needs, 60, 120, 240, ..., or those of the
         stroke where it is not smoothed.
@@ -82,10 +79,11 @@ def clean(
     Returns
     -------
     CleanedCurve
-        A `Curve`; its `changes` tell what was done.  Of 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives
-        a curve which bounds a disk; where `smooth` is not given and the stroke trembles by less than 1/1000 of its size,
-        none at all is tried first.  Where no smoothing gives a disk, the curve is that of the largest, and
-        ``changes.reason`` says why.
+        A `Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and what
+        is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a curve
+        which bounds a disk; parts that are not twice the tremor of the stroke (see `Changes`) are left out.  Where
+        `smooth` is not given and the tremor is below 1/1000 of the size, no smoothing at all is tried first.  Where
+        none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
 
     Raises
     ------
@@ -104,10 +102,10 @@ def clean(
     >>> t = np.linspace(0, 6.3, 500)
     >>> stroke = np.stack([np.cos(t), np.sin(t)], axis=1) + np.random.default_rng(0).normal(0, 0.02, (500, 2))
     >>> Curve(stroke).turning_number
-    19
+    6
     >>> curve = clean(stroke, smooth=0.1)
     >>> curve
-    CleanedCurve(60 vertices, turning number 1)
+    CleanedCurve(120 vertices, turning number 1)
     >>> curve.changes.bounds_disk, curve.changes.moved <= 0.1
     (True, True)
     """
@@ -181,7 +179,7 @@ def _cleaned(request: _Request, s: float) -> CleanedCurve:
         found = _resampled(x, path, s, request.vertices)
     else:
         found, more = _as_it_is(path, request.vertices)
-    curve, moved = _curve(found), _moved(path, found)
+    curve, moved = _curve(found, request.p), _moved(path, found)
     dropped = tuple(_dropped(piece, request.p, curve) for piece in sorted([*pieces, *more], key=lambda c: c.first))
     changes = Changes(
         asked=request.asked,
@@ -280,18 +278,24 @@ def _as_it_is(path: Path, vertices: int | None) -> tuple[Path, list[Piece]]:
     gone = np.setdiff1d(np.arange(len(path.points)), kept)
     pieces = [Piece("spike", float(path.places[i]), float(path.places[i])) for i in gone]
     found = Path(path.points[kept], path.places[kept], path.period)
-    if vertices is not None and vertices != len(kept):
+    if vertices is not None and vertices < len(kept):
         found = found.evenly(vertices)
+    elif vertices is not None:
+        points, _ = halve_longest_edges(found.points, kept, vertices)
+        along = np.append(0.0, np.cumsum(Path(points, np.zeros(vertices)).steps))
+        found = Path(points, np.interp(along, np.append(0.0, np.cumsum(found.steps)), found.ring_places), path.period)
     return found, pieces
 
 
-def _curve(found: Path) -> CleanedCurve:
+def _curve(found: Path, p: _Floats) -> CleanedCurve:
     kept = tidied(found.points)
     if len(kept) < 3:
         raise CurveError("nothing is left that has an inside; take a smaller smoothing")
-    plain = Curve(found.points[kept])
+    points, rows = found.points[kept], np.rint(found.places[kept]).astype(np.intp) % len(p)
+    origin = np.where((p[rows] == points).all(axis=1), rows, -1)
+    plain = Curve(points)
     curve = CleanedCurve.__new__(CleanedCurve)
-    curve._hold(plain.points, plain.turning_number, plain.reversed_input, np.full(len(plain), -1))
+    curve._hold(plain.points, plain.turning_number, plain.reversed_input, origin[plain.origin])
     return curve
 
 

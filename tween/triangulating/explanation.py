@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tween.geometry.curve import Curve
 from tween.geometry.faces import Face, faces
 from tween.geometry.loops import Meetings, meetings, signed_area, simple_loops, split
-from tween.triangulating.mending import Mending, Suggestion, mend
+from tween.triangulating.mending import Mending, Suggestion, in_words, mend
 
 _TINY = 0.02  # reach of a tiny loop from where it closes, as a share of the size
 _TINY_AREA = 4 * _TINY**2  # no loop of larger signed area, as a share of the size squared, reaches so little
@@ -59,6 +59,7 @@ class Explanation:
         None where the curve touches itself.
     negative : tuple of Face
         Regions about which the curve winds clockwise, which no boundary of an immersed disk does; the largest first.
+        Where the turning number is not 1 and the signed area negative, those about which it winds the other way.
     suggestions : tuple of Suggestion
         What would mend it, best first; each was checked, and carries the mended curve.
     unseen : tuple of str
@@ -94,8 +95,9 @@ class Explanation:
         if self.loops and self.curve.turning_number != 1:
             yield self._turning_line()
         if self.negative:
-            where = _listed([f"{_at(face.place)} ({face.winding})" for face in self.negative])
-            yield f"It winds clockwise about {_many(len(self.negative), 'region')}: at {where}."
+            where = _listed([f"{self._at(face.place)} ({face.winding})" for face in self.negative])
+            sense = "clockwise" if self.negative[0].winding < 0 else "against its main sense"
+            yield f"It winds {sense} about {_many(len(self.negative), 'region')}: at {where}."
         for number, suggestion in enumerate(self.suggestions, 1):
             yield f"{number}. {suggestion.text}: {_percent(suggestion.share)} of the area is lost."
         if not self.suggestions:
@@ -106,8 +108,11 @@ class Explanation:
         line = f"It meets itself {_many(self.crossings, 'time')}"
         if not self.tiny:
             return line + ", with no tiny loops."
-        places = _listed([_at(loop.place) for loop in self.tiny])
+        places = _listed([self._at(loop.place) for loop in self.tiny])
         return f"{line}, and {_many(len(self.tiny), 'loop')} {'are' if len(self.tiny) > 1 else 'is'} tiny: at {places}."
+
+    def _at(self, place: tuple[float, float] | _Floats) -> str:
+        return in_words(place, float(np.ptp(self.curve.points, axis=0).max()))
 
     def _turning_line(self) -> str:
         left = sum(loop.area > 0 for loop in self.loops)
@@ -115,7 +120,7 @@ class Explanation:
         turns = f"Its turning number is {self.curve.turning_number}: {_many(left, 'loop')} counter-clockwise"
         turns += f" less {right} clockwise" if right else ""
         surplus = [loop for loop in self.loops if (loop.area > 0) == (self.curve.turning_number > 1)]
-        return f"{turns}; the smallest of them at {_at(surplus[0].place)}." if surplus else turns + "."
+        return f"{turns}; the smallest of them at {self._at(surplus[0].place)}." if surplus else turns + "."
 
     def to_dict(self) -> dict[str, Any]:
         """Return the same as numbers, lists and text, for JSON.
@@ -161,7 +166,10 @@ def explain(curve: Curve, reason: str) -> Explanation:
         unseen = (f"loops and regions, as there are more than {_MOST_CROSSINGS} crossings; clean the curve first",)
         return Explanation(curve, reason, crossings=crossings, unseen=unseen)
     at, found = meetings(curve), faces(curve.points)
-    negative = sorted((face for face in found if face.winding < 0), key=lambda face: -face.polygon.area)
+    # A stroke that trembles may turn clockwise once too often, and is then traversed the wrong way.
+    backwards = curve.turning_number != 1 and curve.area < 0
+    wrong = [face for face in found if (face.winding > 0 if backwards else face.winding < 0)]
+    negative = sorted(wrong, key=lambda face: -face.polygon.area)
     mending = mend(curve, sum(abs(face.winding) * face.polygon.area for face in found))
     return Explanation(
         curve,
@@ -207,10 +215,6 @@ def _place(point: _Floats) -> tuple[float, float]:
 
 def _plain(loop: Loop) -> dict[str, Any]:
     return {"place": list(loop.place), "area": loop.area, "points": loop.points.tolist()}
-
-
-def _at(place: tuple[float, float] | _Floats) -> str:
-    return f"({place[0]:.4g}, {place[1]:.4g})"
 
 
 def _listed(words: list[str]) -> str:

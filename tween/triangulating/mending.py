@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
 from tween.geometry.curve import Curve
@@ -28,6 +28,7 @@ _MOST_CUTS = 4
 _MOST_CROSSINGS = 2000  # places at which a curve is cut, those of the smallest loops
 _TRIES, _WORK = 200, 1_000_000  # curves that are decided at most, and their vertices in all
 _SUGGESTED = 3  # ways to cut
+_TOO_MUCH = 0.9  # share of the area beyond which a suggestion is worth nothing, unless there is no other
 
 _Floats = NDArray[np.float64]
 
@@ -92,6 +93,29 @@ class Mending(NamedTuple):
     possible: int
 
 
+def in_words(place: ArrayLike, size: float) -> str:
+    """Write a point as far as it matters in a picture.
+
+    Parameters
+    ----------
+    place : array_like of float, shape (2,)
+    size : float
+        Of the curve that it belongs to; three more digits are written.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> in_words((1e-17, 0.123456), 2.0)
+    '(0, 0.123)'
+    """
+    digits = 3 - math.floor(math.log10(size)) if size > 0 else 0
+    x, y = (round(float(x), digits) + 0.0 for x in np.asarray(place))
+    return f"({x:.6g}, {y:.6g})"
+
+
 def mend(curve: Curve, covered: float) -> Mending:
     """Look for changes after which a curve bounds a disk.
 
@@ -116,7 +140,7 @@ def mend(curve: Curve, covered: float) -> Mending:
     --------
     >>> eight = Curve([[0, 0], [2, 2], [2, 0], [0, 1.5]])
     >>> [s.text for s in mend(eight, covered_area(eight.points)).suggestions][0]
-    'cut off the loop at (0.8571, 0.8571)'
+    'cut off the loop at (0.857, 0.857)'
     """
     cleaned = _cleaned(curve, covered)
     if cleaned and len(curve.crossings) > _NOISY:
@@ -124,8 +148,14 @@ def mend(curve: Curve, covered: float) -> Mending:
     tries = int(np.clip(_WORK // len(curve), 4, _TRIES))
     singles, tried, possible = _singles(curve, covered, tries)
     least = min((found.lost for found in singles), default=math.inf)
-    found = sorted([*_several(curve, covered, least, tries), *singles], key=lambda s: s.lost)
-    return Mending((*([cleaned] if cleaned else []), *found[:_SUGGESTED]), tried, possible)
+    found = [*([cleaned] if cleaned else []), *sorted([*_several(curve, covered, least, tries), *singles], key=_rank)]
+    worth = [s for s in found if s.share <= _TOO_MUCH] or found[:1]
+    return Mending(tuple(worth[: _SUGGESTED + bool(cleaned)]), tried, possible)
+
+
+def _rank(suggestion: Suggestion) -> tuple[float, bool]:
+    """The least area first; of equals, what need not be turned around."""
+    return float(f"{suggestion.lost:.9g}"), suggestion.curve.reversed_input
 
 
 def _cleaned(curve: Curve, covered: float) -> Suggestion | None:
@@ -234,7 +264,17 @@ def _several(curve: Curve, covered: float, most: float, tries: int) -> list[Sugg
 
 
 def _suggestion(made: _Cut, mended: Curve, covered: float) -> Suggestion:
-    places = [f"({x:.4g}, {y:.4g})" for x, y in made.where]
-    loops = f"the loop at {places[0]}" if len(places) == 1 else f"the loops at {', '.join(places[:-1])} and {places[-1]}"
+    places = [in_words(place, float(np.ptp(mended.points, axis=0).max())) for place in made.where]
+    loops = (
+        f"the loop at {places[0]}" if len(places) == 1 else f"the loops at {', '.join(places[:-1])} and {places[-1]}"
+    )
     keep = len(places) == 1 and 2 * made.lost > covered
-    return Suggestion("cut", f"{'keep only' if keep else 'cut off'} {loops}", made.where, made.lost, made.lost / covered, mended, loops=made.loops)
+    return Suggestion(
+        "cut",
+        f"{'keep only' if keep else 'cut off'} {loops}",
+        made.where,
+        made.lost,
+        made.lost / covered,
+        mended,
+        loops=made.loops,
+    )
