@@ -36,7 +36,7 @@ def draw_explanation(explanation: Explanation, ax: Axes | None = None) -> Axes:
     >>> from tween import decompose
     >>> eight = decompose([[0, 0], [4, 4], [4, 0], [0, 3]])
     >>> draw_explanation(eight.explain(), Figure().add_subplot()).get_title()
-    'turning number is 0, not 1\nmended: cut off the loop at (1.71, 1.71)'
+    'turning number is 0, not 1\nmended: cut off the loop at (1.714, 1.714)'
     """
     ax = plt.gca() if ax is None else ax
     curve = explanation.curve

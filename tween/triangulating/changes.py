@@ -44,7 +44,7 @@ class Changes:
     smoothing : float
         The smoothing that was used, at most that; 0 where nothing was smoothed.
     tremor : float
-        Estimated from the stroke: the median distance between it and its smoothing by 1/50 of its size.
+        Estimated from the stroke: the median distance between it and its smoothing by 1/100 of its size.
     moved : float
         Largest distance between the kept part of the stroke and the curve, both ways, at corresponding places.
     gap : float

@@ -25,8 +25,8 @@ _SHARES = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)  # of the smoothing asked for, that
 _CLOSE = 0.05  # how near ends have to come, as a share of the size
 _ENDS, _ENDS_SHARE = 480, 0.125  # samples of an open stroke, and which share of them may be cut off at either end
 _LOSS = 0.5  # of gap that cutting off a unit of length has to save
-_TREMBLE = 0.02  # smoothing, as a share of the size, whose effect is taken for the tremor
-_STEADY = 0.001  # tremor, as a share of the size, below which none is seen
+_TREMBLE = 0.01  # smoothing, as a share of the size, whose effect is taken for the tremor
+_STEADY = 0.0005  # tremor, as a share of the size, below which none is seen
 _TIMES = 2.0  # tremors that a smoothing has to exceed: about so much is needed to tell tremor from shape
 _MOST = 0.05  # smoothing allowed without being asked, as a share of the size
 _TUBE = 0.6  # of the smoothing for the tube; the rest is for vertices, which cut corners
@@ -34,7 +34,7 @@ _NEAR, _REACH = 0.5, 0.75  # of the smoothing for the ends of a piece that is dr
 _ROUNDS = 8  # of smoothing and dropping
 _PER_RADIUS = 4  # samples of a radius' length among which pieces are sought
 _TINY = np.finfo(np.float64).tiny
-_FEWEST_VERTICES, _MOST_VERTICES = 60, 960
+_FEWEST_VERTICES, _MOST_VERTICES = 60, 1000
 _LONGEST_EDGE = 1.5  # smoothings, where the number of vertices is not given
 
 _Floats = NDArray[np.float64]
@@ -73,8 +73,8 @@ def clean(
         How near to each other the ends have to come for what was drawn before or beyond to be cut off.  Without it,
         1/20 of the size.
     vertices : int, optional
-        Number of vertices, at least 3.  Without it, as many as the smoothing needs, 60, 120, 240, ..., or those of the
-        stroke where it is not smoothed.
+        Number of vertices, at least 3.  Without it, as many as the smoothing needs, 60 to 1,000, or those of the stroke
+        where it is not smoothed.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def clean(
         A `Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and what
         is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a curve
         which bounds a disk; parts that are not twice the tremor of the stroke (see `Changes`) are left out.  Where
-        `smooth` is not given and the tremor is below 1/1000 of the size, no smoothing at all is tried first.  Where
+        `smooth` is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.  Where
         none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
 
     Raises
@@ -103,9 +103,9 @@ def clean(
     >>> stroke = np.stack([np.cos(t), np.sin(t)], axis=1) + np.random.default_rng(0).normal(0, 0.02, (500, 2))
     >>> Curve(stroke).turning_number
     6
-    >>> curve = clean(stroke, smooth=0.1)
+    >>> curve = clean(stroke, smooth=0.1, vertices=100)
     >>> curve
-    CleanedCurve(120 vertices, turning number 1)
+    CleanedCurve(100 vertices, turning number 1)
     >>> curve.changes.bounds_disk, curve.changes.moved <= 0.1
     (True, True)
     """
@@ -204,11 +204,12 @@ def _closed(request: _Request, s: float) -> tuple[Path, list[Piece]]:
     p = request.p
     fresh = np.append(True, (p[1:] != p[:-1]).any(axis=1))
     met = bool((p[-1] == p[0]).all())
+    joined = met or _gap(Path(p, np.arange(len(p), dtype=np.float64), len(p)), p) == 0
     fresh[np.flatnonzero(fresh)[-1]] &= not met
     pieces = [Piece("repetition", float(row), float(row)) for row in np.flatnonzero(~fresh)]
     rows = np.flatnonzero(fresh).astype(np.float64)
     path = Path(p[fresh], rows)
-    first, last = (rows[0], rows[-1]) if met else _ends(path, s, request.close)
+    first, last = (rows[0], rows[-1]) if joined else _ends(path, s, request.close)
     if first > rows[0]:
         pieces.append(Piece("end", 0.0, first))
     if last < rows[-1]:
@@ -261,11 +262,11 @@ def _settled(path: Path, s: float) -> tuple[Path, Path, list[Piece]]:
 
 def _resampled(x: Path, path: Path, s: float, vertices: int | None) -> Path:
     """Take evenly spaced points: as many as asked, or as keep the path within the smoothing."""
-    n = vertices or _FEWEST_VERTICES
-    longest = _LONGEST_EDGE * s
+    needed = math.ceil(x.length / (_LONGEST_EDGE * s))
+    n = vertices or min(max(needed, _FEWEST_VERTICES), _MOST_VERTICES)
     found = x.evenly(n)
-    while not vertices and n < _MOST_VERTICES and (x.length > n * longest or _moved(path, found) > s):
-        n *= 2
+    while not vertices and n < _MOST_VERTICES and _moved(path, found) > s:
+        n = min(n + n // 4, _MOST_VERTICES)
         found = x.evenly(n)
     return found
 

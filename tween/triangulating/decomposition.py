@@ -303,12 +303,12 @@ class Decomposition:
         Examples
         --------
         >>> print(decompose([[0, 0], [4, 4], [4, 0], [0, 3]]).explain())
-        The curve bounds no immersed disk: turning number is 0, not 1; to mend it, cut off the loop at (1.71, 1.71).
+        The curve bounds no immersed disk: turning number is 0, not 1; to mend it, cut off the loop at (1.714, 1.714).
         It meets itself 1 time, with no tiny loops.
-        Its turning number is 0: 1 loop counter-clockwise less 1 clockwise; the smallest of them at (1.71, 1.71).
-        It winds clockwise about 1 region: at (3.43, 2.86) (-1).
-        1. cut off the loop at (1.71, 1.71): 36 % of the area is lost.
-        2. keep only the loop at (1.71, 1.71): 64 % of the area is lost.
+        Its turning number is 0: 1 loop counter-clockwise less 1 clockwise; the smallest of them at (1.714, 1.714).
+        It winds against its main sense about 1 region: at (0.429, 0.857) (1).
+        1. cut off the loop at (1.714, 1.714): 36 % of the area is lost.
+        2. keep only the loop at (1.714, 1.714): 64 % of the area is lost.
         """
         from tween.triangulating.explanation import explain  # here, as it decomposes the curves that it suggests
 
