@@ -178,7 +178,7 @@ def _cleaned(request: _Request, s: float) -> CleanedCurve:
         x, path, more = _settled(path, s)
         found = _resampled(x, path, s, request.vertices)
     else:
-        found, more = _as_it_is(path, request.vertices)
+        path, found, more = _as_it_is(path, request.vertices)
     curve, moved = _curve(found, request.p), _moved(path, found)
     dropped = tuple(_dropped(piece, request.p, curve) for piece in sorted([*pieces, *more], key=lambda c: c.first))
     changes = Changes(
@@ -271,21 +271,21 @@ def _resampled(x: Path, path: Path, s: float, vertices: int | None) -> Path:
     return found
 
 
-def _as_it_is(path: Path, vertices: int | None) -> tuple[Path, list[Piece]]:
-    """Drop exact spikes only; insert points, or take fewer, where another number of them is wanted."""
+def _as_it_is(path: Path, vertices: int | None) -> tuple[Path, Path, list[Piece]]:
+    """Drop exact spikes only: what is left, the same with as many points as wanted, and the pieces."""
     kept = tidied(path.points)
     if len(kept) < 3:
         raise CurveError("the stroke only leads out and back: nothing is left that has an inside")
     gone = np.setdiff1d(np.arange(len(path.points)), kept)
     pieces = [Piece("spike", float(path.places[i]), float(path.places[i])) for i in gone]
-    found = Path(path.points[kept], path.places[kept], path.period)
+    left = found = Path(path.points[kept], path.places[kept], path.period)
     if vertices is not None and vertices < len(kept):
         found = found.evenly(vertices)
     elif vertices is not None:
         points, _ = halve_longest_edges(found.points, kept, vertices)
         along = np.append(0.0, np.cumsum(Path(points, np.zeros(vertices)).steps))
         found = Path(points, np.interp(along, np.append(0.0, np.cumsum(found.steps)), found.ring_places), path.period)
-    return found, pieces
+    return left, found, pieces
 
 
 def _curve(found: Path, p: _Floats) -> CleanedCurve:
