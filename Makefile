@@ -81,11 +81,13 @@ test: $(STAMP) ## Check style and types, then run the tests, doctests and notebo
 	@echo "test: running the playground, which people change, without comparing its outputs"
 	@$(NBVAL) --nbval-lax $(PLAYGROUND)
 
-lint: $(STAMP) ## Check style, format and types, changing nothing
+lint: $(STAMP) ## Check style, format, imports and types, changing nothing
 	@echo "lint: style (mend with $(BIN)/ruff check --fix)"
 	@$(BIN)/ruff check .
 	@echo "lint: format (mend with $(BIN)/ruff format)"
 	@$(BIN)/ruff format --check .
+	@echo "lint: imports (the contracts are in pyproject.toml)"
+	@$(BIN)/lint-imports --no-cache --no-logo
 	@echo "lint: types"
 	@$(BIN)/python -m mypy $(wildcard tween experiments)
 
@@ -97,8 +99,8 @@ coverage: $(STAMP) ## Report the lines that the quick tests miss, with the kerne
 
 bench: $(STAMP) ## Time tween beside its peers in one process
 	@echo "bench: timing"
-	@$(BIN)/python -m experiments.bench
-	@$(BIN)/python -m experiments.bench_scale
+	@$(BIN)/python -m experiments.benchmarks.tasks
+	@$(BIN)/python -m experiments.benchmarks.scaling
 
 docs: $(STAMP) ## Build the documentation into .cache/docs
 	@echo "docs: building"

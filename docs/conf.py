@@ -2,9 +2,10 @@
 
 import inspect
 import os
+import pkgutil
 import re
+import tomllib
 from importlib import import_module
-from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ HERE = Path(__file__).resolve().parent
 project = "tween"
 author = "The tween developers"
 copyright = author
-version = release = installed_version("tween-immersions")
+version = release = tomllib.loads((HERE.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 language = "en"
 
 extensions = [
@@ -54,7 +55,7 @@ plot_html_show_source_link = False
 plot_html_show_formats = False
 plot_formats = [("png", 200)]
 plot_pre_code = ""
-plot_rcparams = dict(rc_params_from_file(Path(tween.__file__).with_name("tween.mplstyle"), use_default_template=False))
+plot_rcparams = dict(rc_params_from_file(HERE.parent / "tween" / "plot" / "tween.mplstyle", use_default_template=False))
 plot_apply_rcparams = True
 
 COLOURED = ("brand-primary", "brand-content", "api-name", "api-pre-name")
@@ -123,19 +124,72 @@ def skip_members(app: Sphinx, what: str, name: str, obj: object, skip: bool, opt
 
 def first_line(module: str) -> str:
     """Return the sentence with which the docstring of a module starts."""
-    return (inspect.getdoc(import_module(f"tween.{module}")) or "").partition("\n")[0]
+    return (inspect.getdoc(import_module(module)) or "").partition("\n")[0]
+
+
+def all_modules() -> list[str]:
+    """List the modules of tween, folders before what is in them, in the order of tween's own docstring."""
+    order = re.findall(r"^    (\w+)  +\S", tween.__doc__ or "", re.MULTILINE)
+    found = [found.name for found in pkgutil.walk_packages(tween.__path__, "tween.") if "__" not in found.name]
+
+    def place(module: str) -> tuple[int, str]:
+        room = module.split(".")[1]
+        return (order.index(room) if room in order else -1), module
+
+    return sorted(found, key=place)
+
+
+def page_of(module: str) -> str | None:
+    """Return the page of the reference about a module, as the documentation spells it; None where there is none."""
+    path = module.removeprefix("tween.").replace(".", "/")
+    return next((f"api/{page}" for page in (path, f"{path}/index") if (HERE / "api" / f"{page}.rst").exists()), None)
+
+
+def list_pages(name: str, text: str) -> str:
+    """Say what each module below a page of the reference is about."""
+    lines = []
+    for page in re.findall(r"^   ([\w/]+)$", text.partition(".. toctree::")[2], re.MULTILINE):
+        module = ".".join(["tween", *Path(name).parts[1:-1], *Path(page).parts]).removesuffix(".index")
+        lines.append(f"\n* :doc:`{module} <{page}>`: {first_line(module)}")
+    return "".join(lines) + "\n"
+
+
+def draw_map() -> str:
+    """Write one sentence about each module, folder by folder, and explain those without a page in the reference."""
+    rooms, details = "", ""
+    for module in all_modules():
+        page, depth = page_of(module), module.count(".") - 1
+        link = f":doc:`{module} <{page}>`" if page else f":py:mod:`{module}`"
+        rooms += f"\n{'  ' * depth}* {link}: {first_line(module)}\n"
+        if not page:
+            details += f"\n{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n"
+    return rooms + details
 
 
 def list_modules(app: Sphinx, name: str, source: list[str]) -> None:
-    """Say in the reference what each module is about, and on the page "inside" explain those without a page there."""
-    if name == "api/index":
-        listed = re.findall(r"^   (\w+)$", source[0].partition(".. toctree::")[2], re.MULTILINE)
-        source[0] += "".join(f"\n* :doc:`tween.{m} <{m}>`: {first_line(m)}" for m in listed) + "\n"
+    """Complete the pages that list modules: those of the reference that have pages below them, and the map."""
+    if name.startswith("api/") and ".. toctree::" in source[0]:
+        source[0] += list_pages(name, source[0])
     if name == "inside":
-        for module in sorted(path.stem for path in Path(tween.__file__).parent.glob("[!_]*.py")):
-            if not (HERE / "api" / f"{module}.rst").exists():
-                title = f"tween.{module}"
-                source[0] += f"\n{title}\n{'-' * len(title)}\n\n.. automodule:: {title}\n"
+        source[0] += draw_map()
+
+
+def lead_back(app: Sphinx, name: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:
+    """Mend links from source code to the reference: viewcode expects one prefix for all names of a module."""
+    if not name.startswith("_modules/"):
+        return
+    places = [(place.docname, known) for known, place in app.env.domaindata["py"]["objects"].items()]
+
+    def mended(link: re.Match[str]) -> str:
+        page, parts = link["page"], link["name"].split(".")
+        for i in range(len(parts)):
+            tail = ".".join(parts[i:])
+            for docname, known in places:
+                if docname == page and f".{known}".endswith(f".{tail}"):
+                    return f"{link['way']}{page}.html#{known}"
+        return link[0]
+
+    context["body"] = re.sub(r"(?P<way>(?:\.\./)+)(?P<page>[\w/]+)\.html#(?P<name>[\w.]+)", mended, context["body"])
 
 
 def as_mathml(self: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
@@ -156,5 +210,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("autodoc-process-signature", hide_constructor)
     app.connect("autodoc-skip-member", skip_members)
     app.connect("source-read", list_modules)
+    app.connect("html-page-context", lead_back)
     app.add_html_math_renderer("mathml", inline_renderers=(as_mathml, None), block_renderers=(as_mathml, None))
     return {"parallel_read_safe": False, "parallel_write_safe": True}

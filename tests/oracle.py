@@ -6,9 +6,12 @@ Legend: ``a b c d`` points, pairs of exact numbers; a *triangulation* is a froze
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import lcm
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 Point = tuple[Any, Any]
 Triple = tuple[int, int, int]
@@ -159,3 +162,44 @@ def distances(triangles: Iterable[Iterable[int]], start: int) -> list[int]:
         reached |= dict.fromkeys(fresh, reached[t] + 1)
         front += fresh
     return [reached[t] for t in range(len(corners))]
+
+
+def spine(triangles: Iterable[Iterable[int]]) -> list[frozenset[int]]:
+    """Prune as the paper says, looking at every leaf anew each time; returns the corners of what is left.
+
+    "First a leaf node that is closest (in terms of number of hops) to an internal node is identified.  This leaf
+    node and all the edges in its path to the internal node are removed. [...] repeated until there are only two
+    leaf nodes left".  Of equally close leaves the one with the smaller corners goes.
+    """
+    nodes = [frozenset(map(int, t)) for t in triangles]
+    edges = {frozenset(pair) for pair in combinations(nodes, 2) if len(pair[0] & pair[1]) == 2}
+
+    def near(node: frozenset[int]) -> list[frozenset[int]]:
+        return [other for edge in edges if node in edge for other in edge - {node}]
+
+    def way(leaf: frozenset[int]) -> list[frozenset[int]]:
+        path = [leaf]
+        while len(near(path[-1])) < 3:
+            (following,) = set(near(path[-1])) - set(path)
+            path.append(following)
+        return path
+
+    while len(leaves := [node for node in nodes if len(near(node)) == 1]) > 2:
+        shortest = min(map(way, leaves), key=lambda path: (len(path), sorted(path[0])))
+        edges -= {frozenset(step) for step in pairwise(shortest)}
+    rest = [min(leaves or nodes, key=sorted)]
+    while after := set(near(rest[-1])) - set(rest):
+        rest += after
+    return rest
+
+
+def symmetric_dirichlet(points: NDArray[np.float64], images: NDArray[np.float64], triangles: Any) -> list[float]:
+    """Return the distortion of each triangle by the singular values of its map, areas scaled to 1."""
+    p, q = (x / np.sqrt(float(area(x))) for x in (points, images))
+    energies = []
+    for i, j, k in triangles:
+        P, Q = (np.column_stack([x[j] - x[i], x[k] - x[i]]) for x in (p, q))
+        s = np.linalg.svd(Q @ np.linalg.inv(P), compute_uv=False)
+        size, image = abs(np.linalg.det(P)) / 2, abs(np.linalg.det(Q)) / 2
+        energies.append(float(size * (s**2).sum() + image * (s**-2.0).sum()))
+    return energies

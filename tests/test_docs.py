@@ -1,7 +1,9 @@
 """The documentation: it builds without a warning, its code runs, its links lead somewhere, and nothing is fetched."""
 
 import doctest
+import inspect
 import os
+import pkgutil
 import re
 import shlex
 import subprocess
@@ -11,6 +13,7 @@ from html.parser import HTMLParser
 from importlib.util import find_spec
 from pathlib import Path
 from textwrap import dedent
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import matplotlib.pyplot as plt
@@ -20,8 +23,8 @@ import tween
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
-REFERENCE = sorted((DOCS / "api").glob("*.rst"))
-PAGES = sorted(path for path in DOCS.rglob("*.rst") if path.parent.name != "api")
+REFERENCE = sorted((DOCS / "api").rglob("*.rst"))
+PAGES = sorted(set(DOCS.rglob("*.rst")) - set(REFERENCE))
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
@@ -36,7 +39,7 @@ def name_of(path: Path) -> str:
 def documented(text: str) -> set[str]:
     """Return the full names that the directives of a page document."""
     names, module = set(), ""
-    for directive, argument in re.findall(r"^\.\. (currentmodule|auto\w+):: *(\S+)", text, re.MULTILINE):
+    for directive, argument in re.findall(r"^\.\. (currentmodule|py:module|auto\w+):: *(\S+)", text, re.MULTILINE):
         if directive == "currentmodule":
             module = argument
         elif argument:
@@ -49,16 +52,51 @@ def test_every_public_name_is_on_a_page_of_the_reference(name: str) -> None:
     assert any(f"tween.{name}" in documented(page.read_text(encoding="utf-8")) for page in REFERENCE)
 
 
+@pytest.mark.parametrize("name", [name for name in tween.__all__ if isinstance(getattr(tween, name), ModuleType)])
+def test_every_function_and_class_of_a_module_with_a_short_name_is_on_a_page_of_the_reference(name: str) -> None:
+    module = getattr(tween, name)
+    shown = {
+        key
+        for key, value in vars(module).items()
+        if inspect.isclass(value) or (inspect.isfunction(value) and inspect.get_annotations(value))
+    }
+    own = {key for key in shown if getattr(module, key).__module__ == module.__name__ and not key.startswith("_")}
+    wanted = shown & set(getattr(module, "__all__", own))  # kernels have no annotations
+    on_pages = set().union(*(documented(page.read_text(encoding="utf-8")) for page in REFERENCE))
+    assert {key for key in wanted if not {f"tween.{name}.{key}", f"tween.{key}"} & on_pages} == set()
+
+
 @pytest.mark.parametrize("name", tween.__all__)
 def test_every_public_name_is_in_the_list_of_the_reference(name: str) -> None:
     assert re.search(rf"^   {name}$", (DOCS / "api" / "index.rst").read_text(encoding="utf-8"), re.MULTILINE)
 
 
-@pytest.mark.parametrize("page", [path for path in REFERENCE if path.stem != "index"], ids=name_of)
+def module_of(page: Path) -> str:
+    """Return the module of which a page of the reference is: that of a folder is its index."""
+    return ".".join(["tween", *page.relative_to(DOCS / "api").with_suffix("").parts]).removesuffix(".index")
+
+
+def listed(page: Path) -> set[Path]:
+    """Return the pages that the table of contents of a page names."""
+    contents = page.read_text(encoding="utf-8").partition(".. toctree::")[2]
+    return {(page.parent / entry).with_suffix(".rst") for entry in re.findall(r"^   ([\w/]+)$", contents, re.MULTILINE)}
+
+
+@pytest.mark.parametrize("page", [path for path in REFERENCE if path != DOCS / "api" / "index.rst"], ids=name_of)
 def test_every_page_of_the_reference_is_of_a_module_that_exists_and_is_listed(page: Path) -> None:
-    assert find_spec(f"tween.{page.stem}")
-    assert f"tween.{page.stem}" in documented(page.read_text(encoding="utf-8"))
-    assert re.search(rf"^   {page.stem}$", (DOCS / "api" / "index.rst").read_text(encoding="utf-8"), re.MULTILINE)
+    assert find_spec(module_of(page))
+    assert module_of(page) in documented(page.read_text(encoding="utf-8"))
+    assert sum(page in listed(index) for index in REFERENCE) == 1
+
+
+@pytest.mark.slow
+def test_every_module_is_on_the_map_and_explained_there_or_in_the_reference(built: Path) -> None:
+    text = (built / "inside.html").read_text(encoding="utf-8")
+    on_pages = {module_of(page) for page in REFERENCE}
+    for module in pkgutil.walk_packages(tween.__path__, "tween."):
+        if not module.name.endswith("__main__"):
+            assert f">{module.name}<" in text
+            assert module.name in on_pages or f'id="module-{module.name}"' in text, module.name
 
 
 # The code
@@ -199,7 +237,7 @@ class Page(HTMLParser):
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the documentation, warnings being errors."""
-    pytest.importorskip("sphinx", reason="needs the extra 'docs': pip install tween[docs]")
+    pytest.importorskip("sphinx", reason="needs the extra 'docs': pip install '.[docs]'")
     folder = tmp_path_factory.mktemp("docs")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", str(DOCS), str(folder)]
     env = {**os.environ, "PYTHONWARNINGS": "default"}

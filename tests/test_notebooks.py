@@ -237,7 +237,7 @@ def test_an_unchecked_cell_without_a_reason_is_seen(cells: list[Any], count: int
 @pytest.mark.parametrize(
     ("source", "count"),
     [
-        ('pd.read_csv("../results/table1.csv")', 0),
+        ('pd.read_csv("../results/table_1_to_disk.csv")', 0),
         ('Image("../results/figures/gallery.png", width=720)', 0),
         ('[Image(f"../results/figures/table_1_{path}.png") for path in paths]', 0),
         ('Image("../results/figures/no_such_figure.png")', 1),
@@ -255,7 +255,7 @@ def test_a_path_to_nowhere_is_seen(source: str, count: int) -> None:
 @pytest.mark.parametrize(
     ("source", "count"),
     [
-        ("See [the code](../experiments/table1.py) and [Pivots](03_incompatible_morphs.ipynb#pivots).", 0),
+        ("See [the code](../experiments/studies/to_disk.py) and [Pivots](03_incompatible_morphs.ipynb#pivots).", 0),
         ("![Gallery](../results/figures/gallery.png)", 0),
         ("![Gallery](../results/figures/no_such_figure.png)", 1),
         ("[Elsewhere](https://example.org) and [below](#the-check)", 0),

@@ -1,49 +1,19 @@
-"""The project keeps its own rules: imports, traces of a machine, documentation, commands."""
+"""The project keeps its own rules: imports, tests, traces of a machine, documentation, commands."""
 
 import ast
 import os
 import re
+import shutil
 import subprocess
-from collections.abc import Iterator
+import sys
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-MODULES = sorted(path for path in (ROOT / "tween").glob("**/*.py") if path.name != "__init__.py")
-
-# Each module imports only from layers above its own line here.
-LAYERS = (
-    {"errors"},
-    {"predicates"},
-    {"curve"},
-    {"triangulation"},
-    {"flips", "dual", "table", "paths", "budgets", "costs"},
-    {"bounds", "reduction", "splits"},
-    {"decomposition", "sequence", "compatible", "generators"},
-    {"gradual"},
-    {"align"},
-    {"motion"},
-    {"morph"},
-    {"metrics", "certificate", "baselines"},
-    {"handwriting", "files", "svgpath"},
-    {"gallery"},
-    {"svg", "readers", "writers"},
-    {"io"},
-    {"named", "plot", "stroke"},
-    {"film", "pictures", "footage"},
-    {"raster", "animate_svg"},
-    {"animate"},
-    {"sketch"},
-    {"widget", "options", "commands"},
-    {"cli"},
-    {"__main__"},
-)
-# What imports matplotlib: figures of shapes, figures of numbers, and the colours of films.
-DRAWING = {"plot", "pictures", "film"}
-# Imports (from, of) between modules of one layer; each needs its reason.
-SAME_LAYER: frozenset[tuple[str, str]] = frozenset()
-LAYER = {module: depth for depth, layer in enumerate(LAYERS) for module in layer}
+MODULES = sorted((ROOT / "tween").glob("**/*.py"))
+# Test files in a folder of the package that test something else than a module.
+WITHOUT_MODULE = {"app/playground/test_browser.py": "the face of the playground, in a browser"}
 
 
 def name_of(path: Path) -> str:
@@ -54,74 +24,89 @@ def name_of(path: Path) -> str:
 # Imports
 
 
-def imported(tree: ast.AST) -> Iterator[str]:
-    """Yield the dotted name of every module that the source imports, wherever the import stands."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            package = ".".join(filter(None, ["tween" if node.level else "", node.module]))
-            yield from (f"{package}.{alias.name}" if package == "tween" else package for alias in node.names)
+def lint_imports(folder: Path) -> "subprocess.CompletedProcess[str]":
+    """Check the contracts of pyproject.toml in a folder, whatever is installed or on the path of this process."""
+    code = "import sys, importlinter.cli as c; sys.exit(c.lint_imports(no_cache=True, no_logo=True))"
+    env = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    return subprocess.run([sys.executable, "-c", code], cwd=folder, env=env, capture_output=True, text=True)
 
 
-def import_faults(module: str, source: str, allowed: frozenset[tuple[str, str]] = SAME_LAYER) -> list[str]:
-    """Name each import that breaks the order of the layers."""
-    if module not in LAYER:
-        return [f"{module} has no layer: give it one in LAYERS"]
-    faults = []
-    for name in imported(ast.parse(source)):
-        root, *rest = name.split(".")
-        if root == "matplotlib" and module not in DRAWING:
-            faults.append(f"{module} imports {name}: only {' and '.join(sorted(DRAWING))} draw")
-        if root != "tween" or (module, *rest[:1]) in allowed:
-            continue
-        if not rest or rest[0] not in LAYER:
-            faults.append(f"{module} imports {name}, which is no module: import from the module that defines it")
-        elif LAYER[rest[0]] >= LAYER[module]:
-            faults.append(f"{module} imports {rest[0]}, which is not below it")
-    return faults
-
-
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
-def test_imports_run_one_way(path: Path) -> None:
-    assert import_faults(path.stem, path.read_text()) == []
+def test_imports_keep_the_contracts() -> None:
+    done = lint_imports(ROOT)
+    assert done.returncode == 0, done.stdout
 
 
 @pytest.mark.parametrize(
-    ("module", "source"),
+    ("path", "line", "contract"),
     [
-        ("curve", "from tween.triangulation import Triangulation"),
-        ("curve", "import tween.morph as m"),
-        ("curve", "from tween import morph"),
-        ("curve", "from tween import Curve"),
-        ("curve", "from . import morph"),
-        ("curve", "from .morph import Morph"),
-        ("curve", "def late():\n    from tween.plot import draw"),
-        ("flips", "from tween.dual import DualTree"),
-        ("gallery", "from matplotlib import pyplot"),
-        ("surprise", ""),
+        ("geometry/curve.py", "from tween.triangulating.flips import remesh", "Folders import what lies below them"),
+        ("geometry/curve.py", "import tween.plot.film as f", "Folders import what lies below them"),
+        ("geometry/curve.py", "from ..io import svg", "Folders import what lies below them"),
+        ("io/svg.py", "def late():\n    from tween.plot import shapes", "Folders import what lies below them"),
+        ("gallery/curves.py", "import tween.measuring.metrics", "Folders import what lies below them"),
+        ("surprise.py", "", "Folders import what lies below them"),
+        ("gallery/curves.py", "import tween.triangulating.flips", "The gallery makes its curves"),
+        ("morphing/compatible/leg.py", "import tween.morphing.alignment", "Within morphing"),
+        ("geometry/curve.py", "from tween import Triangulation", "A name is imported from the module"),
+        ("geometry/curve.py", "from .. import Triangulation", "A name is imported from the module"),
+        ("geometry/predicates.py", "from tween.geometry.curve import Curve", "No circles"),
+        ("io/svg.py", "from experiments import store", "The library knows nothing of its studies"),
+        ("app/command_line/main.py", "from matplotlib import pyplot", "Only plot imports matplotlib"),
     ],
 )
-def test_an_upward_import_is_seen(module: str, source: str) -> None:
-    assert len(import_faults(module, source)) == 1
+def test_an_import_that_breaks_a_contract_is_seen(path: str, line: str, contract: str, tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "tween", tmp_path / "tween", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "pyproject.toml", tmp_path)
+    with open(tmp_path / "tween" / path, "a") as file:
+        file.write(f"\n{line}\n")
+    done = lint_imports(tmp_path)
+    said = " ".join(done.stdout.split())
+    assert done.returncode == 1, said
+    assert re.search(rf"{contract}[^.]*? ?BROKEN", said), said
+
+
+# Tests
+
+
+def mirror_faults(modules: set[str], tests: set[str]) -> list[str]:
+    """Name each module without a test file of its name in the same folder, and each such file without a module.
+
+    Files directly in tests/ may test the project as a whole; those in other folders than the package's, others.
+    """
+    folders = {module.partition("/")[0] for module in modules if "/" in module}
+    wanted = {re.sub(r"(\w+)\.py$", r"test_\1.py", module) for module in modules}
+    mirrored = {test for test in tests if test.partition("/")[0] in folders}
+    faults = [f"tests/{test} is missing" for test in sorted(wanted - tests)]
+    return faults + [f"tests/{test} tests no module" for test in sorted(mirrored - wanted)]
+
+
+def test_every_module_has_its_test_file_and_every_test_file_its_module() -> None:
+    modules = {path.relative_to(ROOT / "tween").as_posix() for path in MODULES if path.name != "__init__.py"}
+    tests = {path.relative_to(ROOT / "tests").as_posix() for path in (ROOT / "tests").glob("**/test_*.py")}
+    assert len(modules) > 40
+    assert mirror_faults(modules, tests - WITHOUT_MODULE.keys()) == []
+    assert WITHOUT_MODULE.keys() <= tests
 
 
 @pytest.mark.parametrize(
-    ("module", "source"),
+    ("modules", "tests", "faults"),
     [
-        ("morph", "from tween.curve import Curve\nfrom tween.errors import TweenError"),
-        ("morph", "from . import paths\nfrom .dual import DualTree"),
-        ("plot", "import matplotlib.pyplot as plt\nfrom tween.gallery import figure"),
+        ({"a.py", "b/c.py"}, {"test_a.py", "b/test_c.py", "test_whole.py", "studies/test_s.py"}, []),
+        ({"a.py", "b/c.py"}, {"test_a.py"}, ["tests/b/test_c.py is missing"]),
+        ({"b/c.py"}, {"b/test_c.py", "b/test_d.py"}, ["tests/b/test_d.py tests no module"]),
+        ({"b/c.py"}, {"test_c.py"}, ["tests/b/test_c.py is missing"]),
+        ({"b/c/d.py"}, {"b/test_d.py"}, ["tests/b/c/test_d.py is missing", "tests/b/test_d.py tests no module"]),
     ],
 )
-def test_a_downward_import_is_fine(module: str, source: str) -> None:
-    assert import_faults(module, source) == []
+def test_a_missing_or_stray_test_file_is_seen(modules: set[str], tests: set[str], faults: list[str]) -> None:
+    assert mirror_faults(modules, tests) == faults
 
 
-def test_an_import_within_a_layer_needs_an_allowance() -> None:
-    source = "from tween.dual import DualTree"
-    assert import_faults("flips", source) == ["flips imports dual, which is not below it"]
-    assert import_faults("flips", source, frozenset({("flips", "dual")})) == []
+@pytest.mark.parametrize("path", sorted((ROOT / "tests").glob("**/test_*.py")), ids=name_of)
+def test_a_test_file_says_what_it_tests_and_tests_it(path: Path) -> None:
+    tree = ast.parse(path.read_text())
+    assert ast.get_docstring(tree)
+    assert any(isinstance(n, ast.FunctionDef) and n.name.startswith("test_") for n in tree.body)
 
 
 # Traces of a machine

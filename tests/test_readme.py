@@ -33,7 +33,7 @@ def test_every_command_is_in_the_makefile(command: str) -> None:
     assert re.search(rf"^{command}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
 
 
-@pytest.mark.parametrize("module", sorted(set(re.findall(r"experiments/(\w+)\.py", README))))
+@pytest.mark.parametrize("module", sorted(set(re.findall(r"experiments/([\w/]+)\.py", README))))
 def test_every_study_that_is_named_exists(module: str) -> None:
     assert (ROOT / "experiments" / f"{module}.py").exists()
 
@@ -71,7 +71,11 @@ def test_the_curves_that_keep_the_floor_are_counted() -> None:
 
 
 def test_the_ranks_below_the_median_are_counted() -> None:
-    table = result("table1").query("path == 'slide'").pivot(index="curve", columns="triangulation", values="AR_1e-4")
+    table = (
+        result("table_1_to_disk")
+        .query("path == 'slide'")
+        .pivot(index="curve", columns="triangulation", values="AR_1e-4")
+    )
     below = int((table["remeshed"] < table["uniform_median"]).sum())
     assert f"on {below} of {len(table)} curves at a loose tolerance (1e-4)" in README
 

@@ -21,5 +21,13 @@ class IncompatibleError(TweenError, ValueError):
     """Two curves or triangulations cannot be matched as asked; the message says what would work."""
 
 
+class MotionError(TweenError):
+    """A shape on the way cannot be written down in doubles; the message says when, and which vertex."""
+
+
+class GuaranteeError(TweenError):
+    """A morph was asked for with a guarantee that cannot be given; the message says where, when and why."""
+
+
 class FileError(TweenError, ValueError):
     """A file cannot be read or written as asked; the message names the file and what was expected."""

@@ -4,8 +4,9 @@ from typing import Any
 
 from joblib import Parallel, delayed
 
-from experiments.figures import compatible, gallery, guarantee, immersions, incompatible, roots, scale, table_1
+from experiments.figures.paper import compatible, gallery, immersions, incompatible
 from experiments.figures.registry import DRAWINGS, drawn, save
+from experiments.figures.studies import guarantee, roots, scaling, table_1
 from experiments.store import FIGURES, write_json
 
 __all__ = [
@@ -18,7 +19,7 @@ __all__ = [
     "incompatible",
     "roots",
     "save_all",
-    "scale",
+    "scaling",
     "table_1",
 ]
 

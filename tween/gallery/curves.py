@@ -1,6 +1,6 @@
-"""Curves to try things on: named ones, strips along a path, random disks, handwriting.
+"""The named curves of the gallery, and the pairs of them that are made to be morphed.
 
-All but `ribbon` put their points on a grid, so that coordinates do not depend on the last bit of a
+All but `.ribbon` put their points on a grid, so that coordinates do not depend on the last bit of a
 platform's sine, midpoints of edges are exact, and a mirror image is one exactly.
 
 Legend: ``n`` vertices of a curve, ``m`` of a spine; ``t`` a parameter along a path; ``z = x + iy``.

@@ -45,7 +45,7 @@ def letters() -> tuple[str, ...]:
 
 @cache
 def letter(char: str, width: float | None = None) -> Curve:
-    """Write a character with a pen: a `ribbon` along its longest stroke in the Hershey script font.
+    """Write a character with a pen: a `.ribbon` along its longest stroke in the Hershey script font.
 
     Parameters
     ----------

@@ -131,7 +131,7 @@ class Curve:
 
     @cached_property
     def crossings(self) -> Crossings:
-        """The pairs of edges that meet, as `Crossings`; a spatial index proposes, `orient2d` decides."""
+        """The pairs of edges that meet, as `.Crossings`; a spatial index proposes, `.orient2d` decides."""
         return find_crossings(self._points)
 
     def insert_vertices(self, count: int) -> "Curve":

@@ -1,6 +1,6 @@
 """The dual tree of a triangulation: a node for each triangle, an edge for each diagonal.
 
-Legend: ``s t`` nodes (triangle numbers); ``h`` half-edges as in `triangulation`.
+Legend: ``s t`` nodes (triangle numbers); ``h`` half-edges as in `.triangulation`.
 """
 
 from typing import NamedTuple
@@ -194,8 +194,8 @@ def _walk(twin, base_of_root):
     m = len(twin)
     order, base, depth = np.empty(m, np.int64), np.full(m, -1, np.int64), np.zeros(m, np.int64)
     order[0] = base_of_root // 3
-    base[order[0]] = base_of_root
-    size = 1
+    base[order[0]] = base_of_root  # -1 marks what was not reached, so that nothing walks back to its parent
+    size = 1  # order is its own queue; the tree is connected, so size stays ahead of i
     for i in range(m):
         t = order[i]
         for s in range(3):

@@ -5,7 +5,7 @@ smaller than its rounding error could be, they evaluate it again without any rou
 *floating-point expansion*: a sum of doubles that do not overlap, smallest first, whose sign is the
 sign of its last term.
 
-The answer is exact for coordinates that are 0 or lie in magnitude within `EXACT_RANGE`.  Every term
+The answer is exact for coordinates that are 0 or lie in magnitude within `.EXACT_RANGE`.  Every term
 of the expansions is a multiple of the fourth power of the smallest last bit, (2**-200 * 2**-52)**4
 = 2**-1008, and stays below 2**820, so that nothing underflows or overflows on the way.
 `tween.Curve` refuses other coordinates.
@@ -34,15 +34,16 @@ _INCIRCLE_BOUND = (10.0 + 96.0 * _EPSILON) * _EPSILON
 @njit(cache=True)
 def _two_sum(a, b):
     """a + b as (hi, lo) without error."""
+    # exact in whatever order of magnitude a and b are, but under IEEE rounding only: never compile this with fastmath
     hi = a + b
-    virtual = hi - a
+    virtual = hi - a  # the part of b that arrived in hi
     return hi, (a - (hi - virtual)) + (b - virtual)
 
 
 @njit(cache=True)
 def _split(a):
     """The number a as two halves of at most 26 bits each."""
-    c = _SPLITTER * a
+    c = _SPLITTER * a  # overflows beyond 2**996 only, far above any term
     hi = c - (c - a)
     return hi, a - hi
 
@@ -53,6 +54,7 @@ def _two_product(a, b):
     hi = a * b
     a1, a0 = _split(a)
     b1, b0 = _split(b)
+    # products of halves have 52 bits at most, so none is rounded, and in this order no difference is
     return hi, a0 * b0 - (((hi - a1 * b1) - a0 * b1) - a1 * b0)
 
 
@@ -60,7 +62,7 @@ def _two_product(a, b):
 def _difference(a, b):
     """The expansion of a - b."""
     hi, lo = _two_sum(a, -b)
-    if lo == 0.0:
+    if lo == 0.0:  # a zero term would lengthen every product
         return np.array([hi])
     return np.array([lo, hi])
 
@@ -68,6 +70,7 @@ def _difference(a, b):
 @njit(cache=True)
 def _add(e, f):
     """The expansion of e + f: merge by magnitude, then carry upwards."""
+    # terms must be strongly nonoverlapping; rounding to even keeps them so, here and in _scale (Shewchuk, Section 2)
     g = np.empty(e.size + f.size)
     i = j = 0
     for m in range(g.size):
@@ -77,14 +80,14 @@ def _add(e, f):
         else:
             g[m] = f[j]
             j += 1
-    size = 0
+    size = 0  # g is written over from below: size stays behind m
     carry = g[0]
     for m in range(1, g.size):
         carry, lo = _two_sum(carry, g[m])
         if lo != 0.0:
             g[size] = lo
             size += 1
-    if carry != 0.0 or size == 0:
+    if carry != 0.0 or size == 0:  # zero keeps one term, so that a last one always has the sign
         g[size] = carry
         size += 1
     return g[:size]
@@ -93,6 +96,7 @@ def _add(e, f):
 @njit(cache=True)
 def _scale(e, b):
     """The expansion of e * b."""
+    # long enough: the first sum, with 0, leaves no error, and the last carry takes that place
     h = np.empty(2 * e.size)
     size = 0
     carry = 0.0
@@ -124,7 +128,7 @@ def _times(e, f):
 @njit(cache=True)
 def _determinant(e1, e2, f1, f2):
     """The expansion of e1 * f2 - e2 * f1."""
-    return _add(_times(e1, f2), -_times(e2, f1))
+    return _add(_times(e1, f2), -_times(e2, f1))  # a change of sign is exact, term by term
 
 
 @njit(cache=True)
@@ -135,7 +139,7 @@ def _sign(x):
 @njit(cache=True)
 def _orient2d_exact(ax, ay, bx, by, cx, cy):
     det = _determinant(_difference(ax, cx), _difference(ay, cy), _difference(bx, cx), _difference(by, cy))
-    return _sign(det[-1])
+    return _sign(det[-1])  # the last term outweighs all others together
 
 
 @njit(cache=True)
@@ -144,6 +148,7 @@ def orient2d_sign(ax, ay, bx, by, cx, cy):
     left = (ax - cx) * (by - cy)
     right = (ay - cy) * (bx - cx)
     det = left - right
+    # beyond this bound rounding cannot have turned the sign; strict, so that 0 is never taken on trust
     if abs(det) > _ORIENT_BOUND * (abs(left) + abs(right)):
         return _sign(det)
     return _orient2d_exact(ax, ay, bx, by, cx, cy)
@@ -165,8 +170,10 @@ def incircle_sign(ax, ay, bx, by, cx, cy, dx, dy):
     """`incircle` of four points given by coordinates, for compiled kernels."""
     a1, a2, b1, b2, c1, c2 = ax - dx, ay - dy, bx - dx, by - dy, cx - dx, cy - dy
     b1c2, c1b2, c1a2, a1c2, a1b2, b1a2 = b1 * c2, c1 * b2, c1 * a2, a1 * c2, a1 * b2, b1 * a2
+    # heights over d on the paraboloid: d is inside where the plane through a, b and c passes above it
     a_lift, b_lift, c_lift = a1 * a1 + a2 * a2, b1 * b1 + b2 * b2, c1 * c1 + c2 * c2
     det = a_lift * (b1c2 - c1b2) + b_lift * (c1a2 - a1c2) + c_lift * (a1b2 - b1a2)
+    # the same sum with all terms positive: what the rounding error is in proportion to
     size = a_lift * (abs(b1c2) + abs(c1b2)) + b_lift * (abs(c1a2) + abs(a1c2)) + c_lift * (abs(a1b2) + abs(b1a2))
     if abs(det) > _INCIRCLE_BOUND * size:
         return _sign(det)
@@ -235,7 +242,7 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> NDArray[np.int8]:
 
     Notes
     -----
-    Exact for coordinates within `EXACT_RANGE`, see the module.  Some nanoseconds a triple; about a
+    Exact for coordinates within `.EXACT_RANGE`, see the module.  Some nanoseconds a triple; about a
     microsecond for triples that are collinear to within rounding.
 
     Examples
@@ -269,7 +276,7 @@ def incircle(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> NDArray[
 
     Notes
     -----
-    Exact for coordinates within `EXACT_RANGE`, see the module.  Some nanoseconds a quadruple; up to
+    Exact for coordinates within `.EXACT_RANGE`, see the module.  Some nanoseconds a quadruple; up to
     some tens of microseconds for those that are cocircular to within rounding.
 
     Examples

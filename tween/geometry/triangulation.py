@@ -290,7 +290,17 @@ def _smallest_first(triangles: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def canonical_order(triangles: NDArray[np.int64]) -> NDArray[np.intp]:
-    """The order of rows in `canonical`."""
+    """Find the order of rows in `canonical`.
+
+    Parameters
+    ----------
+    triangles : ndarray of int, shape (m, 3)
+
+    Returns
+    -------
+    ndarray of int, shape (m,)
+        Row numbers, those with smaller corners first.
+    """
     return np.lexsort(_smallest_first(triangles).T[::-1])
 
 

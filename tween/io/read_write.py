@@ -4,7 +4,7 @@
     write_curve                             .svg .csv .json .geojson .npz .npy
     write_triangulation                     .svg .obj .json .npz
     write_frames                            .svg .csv .json .npz
-    read_frames                             .json .npz
+    read_frames                             .svg .csv .json .npz, and the .svg and .html that tween plays
 
 The suffix decides on the format.  A file is written whole or not at all: where writing fails, what stood
 there before stands there still.  Every error is one line that begins with the name of the file.
@@ -22,11 +22,13 @@ from tween.errors import CurveError, FileError
 from tween.gallery.generators import ribbon
 from tween.geometry.curve import Curve, as_curve, without_repetitions
 from tween.geometry.triangulation import Triangulation
+from tween.io.played import csv_frames, html_frames, svg_frames
 from tween.io.readers import frames_of, parse_json, points_of, read_arrays, read_csv, read_json
 from tween.io.svg import read_svg
 from tween.io.svg_path import MOST_POINTS, checked, flattened
 from tween.io.whole_files import AnyPath, content_of, naming, suffix_of, write
 from tween.io.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
+from tween.measuring.playback import Playback
 from tween.morphing.morph import Morph
 
 _Floats = NDArray[np.float64]
@@ -44,6 +46,9 @@ _READERS: dict[str, Callable[[bytes, float | None], list[tuple[str, _Floats]]]] 
 _FRAME_READERS: dict[str, Callable[[bytes], object]] = {
     ".json": parse_json,
     ".npz": lambda data: read_arrays(data, ".npz"),
+    ".svg": svg_frames,
+    ".html": html_frames,
+    ".csv": csv_frames,
 }
 
 
@@ -93,7 +98,7 @@ def read_curves(path: AnyPath, tolerance: float | None = None) -> dict[str, Curv
     ----------
     path : path-like
     tolerance : float, optional
-        As in `read_curve`.
+        As in `.read_curve`.
 
     Returns
     -------
@@ -104,7 +109,7 @@ def read_curves(path: AnyPath, tolerance: float | None = None) -> dict[str, Curv
     Raises
     ------
     FileError, CurveError
-        As `read_curve`; the message says which curve is at fault.
+        As `.read_curve`; the message says which curve is at fault.
     """
     with naming(path):
         curves = {}
@@ -125,18 +130,18 @@ def read_stroke(path: AnyPath, width: float, select: str | int | None = None, to
     width : float
         Distance between the two sides, in the units of the file.
     select, tolerance
-        As in `read_curve`.
+        As in `.read_curve`.
 
     Returns
     -------
     Curve
-        As `ribbon` makes it, with flat ends.  A closed path is walked once around, so that the ends
+        As `.ribbon` makes it, with flat ends.  A closed path is walked once around, so that the ends
         of the ribbon meet.  For path data without a file see `stroke`.
 
     Raises
     ------
     FileError
-        As `read_curve`.
+        As `.read_curve`.
     CurveError
         Where a bend is too tight for the width.
 
@@ -153,24 +158,29 @@ def read_stroke(path: AnyPath, width: float, select: str | int | None = None, to
         return ribbon(without_repetitions(_chosen(_outlines(path, tolerance), select)), width)
 
 
-def read_frames(path: AnyPath) -> tuple[_Floats, NDArray[np.int64], _Floats | None]:
-    """Read the frames of a morph that `write_frames` has written.
+def read_frames(path: AnyPath) -> tuple[_Floats, NDArray[np.int64] | None, _Floats | None]:
+    """Read the frames of a morph that `write_frames` or `tween.save_animation` has written.
 
     Parameters
     ----------
     path : path-like
-        JSON or npz, with frames, triangles and perhaps times by these names.
+        JSON or npz, with frames, perhaps triangles and perhaps times by these names; the CSV and SVG of
+        `write_frames`; or the animated SVG and the HTML of `save_animation`, whose frames are those that are drawn,
+        with their rounding and, in SVG, the way back.
 
     Returns
     -------
     frames : ndarray of float64, shape (k, n, 2)
-    triangles : ndarray of int64, shape (n-2, 3), or (k, n-2, 3) where there are flips on the way
+        With y upwards.
+    triangles : ndarray of int64, shape (n-2, 3), or (k, n-2, 3) where there are flips on the way; or None
+        None where the file holds none, such as a CSV; `tween.find_triangles` finds some.
     times : ndarray of float64, shape (k,), or None where the file holds none
 
     Raises
     ------
     FileError
-        Where the file cannot be read or holds something else.
+        Where the file cannot be read or holds something else.  Pictures, such as a GIF, hold no frames that could be
+        read back.
     """
     with naming(path):
         return frames_of(_FRAME_READERS[suffix_of(path, _FRAME_READERS)](content_of(path)))
@@ -182,7 +192,7 @@ def write_curve(path: AnyPath, curve: Curve) -> Path:
     Parameters
     ----------
     path : path-like
-        SVG, CSV, JSON, GeoJSON, npz or npy; `read_curve` reads each of them back exactly.
+        SVG, CSV, JSON, GeoJSON, npz or npy; `.read_curve` reads each of them back exactly.
     curve : Curve, or what stands for one
         As in `tween.morph`.
 
@@ -236,7 +246,7 @@ def write_triangulation(path: AnyPath, T: Triangulation) -> Path:
     Raises
     ------
     FileError
-        As `write_curve`.
+        As `.write_curve`.
     """
     formats: dict[str, Callable[[], str | bytes]] = {
         ".svg": lambda: drawing(T.points[None], T.triangles[None]),
@@ -247,8 +257,8 @@ def write_triangulation(path: AnyPath, T: Triangulation) -> Path:
     return write(path, formats)
 
 
-def write_frames(path: AnyPath, m: Morph, frames: int = 60) -> Path:
-    """Write shapes of a morph, evenly spaced in time, to a file.
+def write_frames(path: AnyPath, m: Morph, frames: int | Playback = 60) -> Path:
+    """Write shapes of a morph, evenly spaced in time or chosen for playback, to a file.
 
     Parameters
     ----------
@@ -256,8 +266,8 @@ def write_frames(path: AnyPath, m: Morph, frames: int = 60) -> Path:
         JSON or npz, with frames, triangles and times by these names; CSV, a row for each vertex of each
         frame; or SVG, all frames side by side.
     m : Morph
-    frames : int
-        How many, at least 2.
+    frames : int or Playback
+        How many, at least 2; or those of ``m.playback()``, straight motion between which is verified.
 
     Returns
     -------
@@ -267,7 +277,7 @@ def write_frames(path: AnyPath, m: Morph, frames: int = 60) -> Path:
     Raises
     ------
     FileError
-        As `write_curve`.
+        As `.write_curve`.
 
     Examples
     --------
@@ -279,8 +289,11 @@ def write_frames(path: AnyPath, m: Morph, frames: int = 60) -> Path:
     >>> shapes.shape, triangles.shape, times
     ((5, 47, 2), (45, 3), array([0.  , 0.25, 0.5 , 0.75, 1.  ]))
     """
-    shapes, times = m.frames(frames), np.linspace(0.0, 1.0, frames)
-    each = np.array([m.triangles_at(float(t)) for t in times])
+    if isinstance(frames, Playback):
+        times, shapes, each = frames.times, frames.frames, frames.triangles
+    else:
+        shapes, times = m.frames(frames), np.linspace(0.0, 1.0, frames)
+        each = np.array([m.triangles_at(float(t)) for t in times])
     triangles = each if (each != each[0]).any() else each[0]
     k, n = shapes.shape[:2]
     columns = [np.repeat(np.arange(k), n), np.repeat(times, n), np.tile(np.arange(n), k), *shapes.reshape(-1, 2).T]
@@ -348,7 +361,7 @@ def stroke(path: str, width: float, tolerance: float | None = None, cap: int = 0
     Returns
     -------
     Curve
-        As `ribbon` makes it.  A closed path is walked once around, so that the ends of the ribbon meet.
+        As `.ribbon` makes it.  A closed path is walked once around, so that the ends of the ribbon meet.
 
     Raises
     ------

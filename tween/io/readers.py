@@ -249,19 +249,19 @@ def points_of(arrays: dict[str, NDArray[Any]]) -> _Named:
     return [(name, array.astype(np.float64)) for name, array in arrays.items()]
 
 
-def frames_of(content: Any) -> tuple[_Floats, NDArray[np.int64], _Floats | None]:
+def frames_of(content: Any) -> tuple[_Floats, NDArray[np.int64] | None, _Floats | None]:
     """Take the frames of a morph from what a file holds under their names.
 
     Parameters
     ----------
     content : dict of str to array_like
-        "frames" of shape (k, n, 2), "triangles" of shape (n-2, 3) or (k, n-2, 3), and perhaps "times"
+        "frames" of shape (k, n, 2), and perhaps "triangles" of shape (n-2, 3) or (k, n-2, 3) and "times"
         of shape (k,).
 
     Returns
     -------
     frames : ndarray of float64, shape (k, n, 2)
-    triangles : ndarray of int64, shape (n-2, 3) or (k, n-2, 3)
+    triangles : ndarray of int64, shape (n-2, 3) or (k, n-2, 3), or None
     times : ndarray of float64, shape (k,), or None
 
     Raises
@@ -269,19 +269,23 @@ def frames_of(content: Any) -> tuple[_Floats, NDArray[np.int64], _Floats | None]
     FileError
         Where one of them is missing or has another shape.
     """
-    if not isinstance(content, dict) or not {"frames", "triangles"} <= set(content):
-        raise FileError(f"holds {reprlib.repr(content)}, expected frames and triangles")
+    if not isinstance(content, dict) or "frames" not in content:
+        raise FileError(f"holds {reprlib.repr(content)}, expected frames, and perhaps triangles")
     frames = _numeric("frames", content["frames"], "iuf")
     k, n = frames.shape[:2] if frames.ndim == 3 and frames.shape[2] == 2 else (0, 0)
     if k < 1 or n < 3:
         raise FileError(f"frames have shape {frames.shape}, expected (k, n, 2)")
-    triangles = _numeric("triangles", content["triangles"], "iu")
-    if triangles.shape not in ((n - 2, 3), (k, n - 2, 3)) or triangles.min() < 0 or triangles.max() >= n:
+    triangles = None if content.get("triangles") is None else _numeric("triangles", content["triangles"], "iu")
+    if triangles is not None and not _are_triangles(triangles, k, n):
         raise FileError(f"triangles have shape {triangles.shape}, expected ({n - 2}, 3) with vertices below {n}")
     times = None if content.get("times") is None else _numeric("times", content["times"], "iuf").astype(np.float64)
     if times is not None and times.shape != (k,):
         raise FileError(f"times have shape {times.shape}, expected ({k},)")
-    return frames.astype(np.float64), triangles.astype(np.int64), times
+    return frames.astype(np.float64), None if triangles is None else triangles.astype(np.int64), times
+
+
+def _are_triangles(triangles: NDArray[Any], k: int, n: int) -> bool:
+    return triangles.shape in ((n - 2, 3), (k, n - 2, 3)) and triangles.min() >= 0 and triangles.max() < n
 
 
 def _numeric(name: str, values: Any, kinds: str) -> NDArray[Any]:

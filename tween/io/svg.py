@@ -84,6 +84,26 @@ def read_svg(data: bytes, tolerance: float | None = None) -> list[tuple[str, _Fl
     return outlines
 
 
+def elements(data: bytes) -> list[Any]:
+    """List all elements of a drawing.
+
+    Parameters
+    ----------
+    data : bytes
+        Of an SVG file.
+
+    Returns
+    -------
+    list of xml.etree.ElementTree.Element
+
+    Raises
+    ------
+    FileError
+        Where it is no SVG, or too large.
+    """
+    return list(_parsed(data)[0].iter())
+
+
 def _parsed(data: bytes) -> tuple[Any, dict[str, Any]]:
     """The root of the drawing, and the elements that have an id."""
     root: Any = None

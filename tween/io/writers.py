@@ -176,6 +176,9 @@ def drawing(shapes: _Floats, triangles: NDArray[np.int64] | None = None) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{pixels[0]:.0f}" height="{pixels[1]:.0f}" '
         f'viewBox="{" ".join(f"{value:.12g}" for value in box)}">'
     ]
+    if triangles is not None and len(shapes) > 1:
+        note = json.dumps({"triangles": changed_triangles(triangles)}, separators=(",", ":"))
+        lines.append(f"<metadata>{note}</metadata>")
     for i, shape in enumerate(shapes):
         drawn = _drawn(
             shape, None if triangles is None else triangles[i], f"frame_{i}" if i or len(shapes) > 1 else "curve", side
@@ -183,6 +186,30 @@ def drawing(shapes: _Floats, triangles: NDArray[np.int64] | None = None) -> str:
         x, y = i % columns * cell[0], i // columns * cell[1]
         lines += [f'<g transform="translate({x:.12g} {y:.12g})">', *drawn, "</g>"] if i else drawn
     return "\n".join([*lines, "</svg>", ""])
+
+
+def changed_triangles(lists: NDArray[np.int64]) -> list[list[int]]:
+    """List, for each frame, the triangles that are not as in the frame before.
+
+    Parameters
+    ----------
+    lists : ndarray of int, shape (k, m, 3)
+
+    Returns
+    -------
+    list of list of int
+        Row, corner, corner, corner, row, ...; for the first frame all.
+
+    Examples
+    --------
+    >>> changed_triangles(np.array([[[0, 1, 2], [0, 2, 3]], [[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [0, 2, 3]]]))
+    [[0, 0, 1, 2, 1, 0, 2, 3], [], [0, 1, 2, 3]]
+    """
+    new = np.ones(lists.shape[:2], bool)
+    new[1:] = (lists[1:] != lists[:-1]).any(axis=2)
+    rows = np.broadcast_to(np.arange(lists.shape[1])[None, :, None], (*lists.shape[:2], 1))
+    entries = np.concatenate([rows, lists], axis=2)
+    return [entry[now].ravel().tolist() for entry, now in zip(entries, new, strict=True)]
 
 
 def _drawn(points: _Floats, triangles: NDArray[np.int64] | None, name: str, side: float) -> list[str]:

@@ -1,56 +1,32 @@
-r"""Certificates: whether every frame of a morph bounds an immersed disk, decided exactly.
+r"""Certificates: whether frames, and what is played between them, bound immersed disks, decided exactly.
 
-Counter-clockwise triangles are not enough.  The angles of the triangles around a vertex may add up to
-2 pi or more; then the curve turns more than once, and bounds no immersed disk, although no triangle folds.
-So every vertex is walked around, through its *fan* of triangles:
+What was checked, and nothing else, a certificate says in one of these ways:
 
-      p2 ---- p1            fan of v: p0, p1, ..., pd, from v's successor p0 on the curve to its
-     /  \    /  \           predecessor pd; the triangles v, p(i), p(i+1) are the fan's
-    p3    v ---- p0
+    checked at frames                         each frame by itself, see `tween.measuring.frame_check`
+    checked for every instant of playback     and straight motion from each to the next, see
+                                              `tween.measuring.straight_motion`
 
-If each fan leads along the triangles from p0 to pd and no triangle is left over, the triangles are glued
-to one disk.  The step from one p(i) to the next turns left by less than pi, so the direction comes back
-to that of p0 exactly where it leaves the open half plane to the right of v p0: counting these returns
-with `turn` gives floor(angle sum / 2 pi), exactly.  The angles of n-2 triangles sum to
-(n-2) pi, and a curve turns at v by pi - angle sum, up to the multiple of 2 pi that brings it between -pi and pi:
-
-    turning number  =  1 + sum over the vertices of floor(angle sum / 2 pi).
-
-Here is no code of `triangulation`, `curve` or the morphs: only the exact predicate is shared.
+What a morph promises about itself is no check and is not repeated here.  Nothing but the predicates is shared with
+`tween.geometry` or the morphs.
 
 Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``t`` time; ``stage`` number of the list of
-triangles in force; ``fault`` a rule's code and two numbers, (OK, 0, 0) for none.
+triangles in force.
 """
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, inf, nan, pi
-from typing import Any, NamedTuple
+from math import nan, pi
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from tween.geometry.predicates import EXACT_RANGE, turn
+from tween.measuring.frame_check import Checked, check, fault_words
+from tween.measuring.straight_motion import Breach, breaches
 
 _SMALLEST_STEP = 2.0**-20  # of time; refinement goes no further
 _MOST_ANGLES = 2_000_000  # vertices times frames; refinement stops there
-
-_LOW, _HIGH = EXACT_RANGE
-_OK, _COUNT, _INDEX, _TWICE, _MISSING, _RIGHT, _OPEN, _APART, _RANGE, _FLIPPED, _SPIKE, _TURNS = range(12)
-_RULES = {
-    _COUNT: "there are {a} triangles, expected {b} for {n} vertices",
-    _INDEX: "triangle {a} is {corners}, expected three different vertices from 0 to {last}",
-    _TWICE: "edge {a}-{b} occurs twice in the same direction",
-    _MISSING: "boundary edge {a}-{b} belongs to no triangle",
-    _RIGHT: "boundary edge {a}-{b} has a triangle on its right, expected on its left only",
-    _OPEN: "diagonal {a}-{b} has no triangle on its other side",
-    _APART: "triangle {a} is not joined to the others around vertex {b}: the dual graph is no tree",
-    _RANGE: "vertex {a} is {place}, expected coordinates that are 0 or between {low:.0e} and {high:.0e} in magnitude",
-    _FLIPPED: "triangle {a} {corners} is not counter-clockwise",
-    _SPIKE: "vertex {a} is a spike: the angles there add up to exactly {b} pi",
-    _TURNS: "the angles at vertex {a} add up to {sum:.4f}, more than 2 pi: the turning number is {b}, not 1",
-}
 
 
 class Failure(NamedTuple):
@@ -59,9 +35,10 @@ class Failure(NamedTuple):
     Attributes
     ----------
     t : float
-        Time of the frame.
+        Time of the frame, or of the instant between two.
     rule : str
-        What was found, in a short sentence.
+        What was found, in a short sentence; between frames also which these are, and how much of the way from one to
+        the other was done.
     element : int or (int, int) or None
         The vertex or triangle that `rule` names, or the ends of the edge; None for a wrong number of triangles.
     """
@@ -73,13 +50,17 @@ class Failure(NamedTuple):
 
 @dataclass(frozen=True)
 class Certificate:
-    """What a check of frames found; true where they all bound immersed disks.
+    """What a check found; true where no rule is broken at what was checked.
 
     Attributes
     ----------
     first_failure : Failure or None
-        The earliest frame checked that breaks a rule, and the first rule that it breaks.
+        The earliest frame or instant checked that breaks a rule, and the first rule that it breaks.
+    scope : {"frames", "playback"}
+        What was checked: the frames alone, or every instant of straight motion between them, too.
     frames_checked, frames_failed : int
+    intervals_checked, intervals_failed : int
+        From a frame that is valid to the next, if it is, too; none where `scope` is "frames".
     min_area, min_area_time : float
         The smallest triangle of all frames, signed, in the square of the input's unit, and when; rounded.
         nan, as the next two, where no frame could be measured.
@@ -88,12 +69,15 @@ class Certificate:
     max_angle_vertex : int
         Where; -1 where no frame could be measured.
     proof : str
-        What is known at the frames, and between them.
+        What was checked, and how, in words.
     """
 
     first_failure: Failure | None
+    scope: Literal["frames", "playback"]
     frames_checked: int
     frames_failed: int
+    intervals_checked: int
+    intervals_failed: int
     min_area: float
     min_area_time: float
     max_angle: float
@@ -103,16 +87,23 @@ class Certificate:
 
     @property
     def valid(self) -> bool:
-        """Whether no frame breaks a rule."""
+        """Whether nothing that was checked breaks a rule."""
         return self.first_failure is None
 
     def __bool__(self) -> bool:
         return self.valid
 
     def __str__(self) -> str:
-        failure = self.first_failure
-        lines = [f"not valid at t = {failure.t:.6g}: {failure.rule}" if failure else "valid"]
+        failure, lines = self.first_failure, []
+        if failure:
+            lines.append(f"not valid at t = {failure.t:.6g}: {failure.rule}")
+        elif self.frames_checked == 1:
+            lines.append("valid")
+        else:
+            lines.append("valid at every instant of playback" if self.scope == "playback" else "valid at these frames")
         lines.append(f"  frames: {self.frames_checked} checked, {self.frames_failed} failed")
+        if self.scope == "playback":
+            lines.append(f"  between frames: {self.intervals_checked} checked, {self.intervals_failed} failed")
         if self.max_angle_vertex >= 0:
             where = f"at vertex {self.max_angle_vertex}, t = {self.max_angle_time:.6g}"
             lines.append(f"  largest angle sum: {self.max_angle:.4f} ({self.max_angle / pi:.4f} pi) {where}")
@@ -120,7 +111,12 @@ class Certificate:
         return "\n".join([*lines, f"  {self.proof}"])
 
 
-def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = None) -> Certificate:
+def verify(
+    frames: ArrayLike,
+    triangles: ArrayLike,
+    times: ArrayLike | None = None,
+    between: Literal["linear"] | None = None,
+) -> Certificate:
     """Check whether frames, whoever made them, bound immersed disks that the triangles cover.
 
     Parameters
@@ -131,6 +127,9 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
         Corners of the triangles, counter-clockwise; one list for all frames, or one for each.
     times : array_like of float, shape (k,), optional
         When each frame is shown; evenly spaced from 0 to 1 unless given.
+    between : {"linear"}, optional
+        To check, besides the frames, every instant of straight motion from each to the next: what animations play.
+        Then the times must not fall.
 
     Returns
     -------
@@ -139,14 +138,18 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
     Raises
     ------
     ValueError
-        Where an array has another shape or type.  All else is answered, not raised.
+        Where an array has another shape or type, or times fall.  All else is answered, not raised.
 
     Notes
     -----
     The rules, all exact: n-2 triangles of three different vertices; each boundary edge in one triangle, in
     the direction of the curve; each diagonal in two, in opposite directions; dual graph connected; coordinates
-    finite and within `EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
-    one says that the curve has no spike and turning number 1, see the module.  O(n k).
+    finite and within `.EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
+    one says that the curve has no spike and turning number 1, see `tween.measuring.frame_check`.  O(n k).
+
+    Between frames the last two rules are decided for all real numbers between, see `tween.measuring.straight_motion`:
+    about the frames as they are given, not about what a player makes of them.  Where the triangles of two
+    neighbouring frames differ, one of the two lists has to hold all the way.
 
     Examples
     --------
@@ -156,6 +159,11 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
     (True, 0.5, 0)
     >>> verify(square, [[0, 1, 3], [0, 2, 3]]).first_failure
     Failure(t=0.0, rule='edge 3-0 occurs twice in the same direction', element=(3, 0))
+    >>> half_a_turn = [square, [[1, 1], [0, 1], [0, 0], [1, 0]]]
+    >>> bool(verify(half_a_turn, [[0, 1, 2], [0, 2, 3]]))
+    True
+    >>> verify(half_a_turn, [[0, 1, 2], [0, 2, 3]], between="linear").first_failure.rule
+    'triangle 0 [0, 1, 2] loses its area between frames 0 and 1, at 0.5 of the way'
     """
     shapes, lists = _arrays(frames, triangles)
     k = len(shapes)
@@ -165,25 +173,31 @@ def verify(frames: ArrayLike, triangles: ArrayLike, times: ArrayLike | None = No
     changes = (lists[1:] != lists[:-1]).any(axis=(1, 2))
     stage = np.concatenate([[0], np.cumsum(changes)]) if len(lists) == k else np.zeros(k, dtype=np.int64)
     lists = lists[np.concatenate([[True], changes])]
-    checked = _run(t, stage, shapes, lists)
-    return _certificate(checked, lists, "; nothing is said about the times between them" if k > 1 else "")
+    checked = check(t, stage, shapes, lists)
+    if between is None:
+        return _certificate(checked, lists, "; nothing is said about the times between them" if k > 1 else "")
+    if between != "linear":
+        raise ValueError(f"between is {between!r}, expected 'linear' or None")
+    if (np.diff(t) < 0).any():
+        raise ValueError("times fall, expected frames in the order in which they are played")
+    return _certificate(checked, lists, _STRAIGHT, _played(checked, lists))
 
 
 def certify(shape: Any, frames: int = 100) -> Certificate:
-    """Check a morph, at evenly spaced times, at its flips, and wherever it comes close to breaking a rule.
+    """Check a morph at evenly spaced times, at its flips, wherever it comes close to breaking a rule, and between.
 
     Parameters
     ----------
     shape : Morph or Triangulation
-        Or what has the same attributes; the triangles in force may change at the `events` only.  A morph
-        that is right by construction says why in a `proof`, a str.
+        Or what has the same attributes; the triangles in force may change at the `events` only.
     frames : int
         Evenly spaced in time, both ends included, at least 2.
 
     Returns
     -------
     Certificate
-        `proof` says what is known between the frames.
+        Of a morph its `scope` is "playback": every instant of straight motion from each time that was looked at to
+        the next is checked.
 
     Raises
     ------
@@ -192,23 +206,26 @@ def certify(shape: Any, frames: int = 100) -> Certificate:
 
     Notes
     -----
-    At a flip the triangles before and after it are both checked.  Without a `proof`, and unless a frame failed
-    already, time is bisected until between neighbouring frames no angle sum can reach 2 pi, and no
-    triangle lose its height over its longest edge, at the largest rates of change seen there and in the
-    two intervals beside.  Those rates are measured: this is an estimate, not a proof.  It ends at steps of
-    2**-20, or at two million angle sums.  At the first failure it ends too, so `frames_failed` is a share of
-    the evenly spaced frames and those at flips only where these fail themselves.  O(n) a frame.
+    What the morph promises about itself, its `proof`, is neither used nor repeated.  At a flip the triangles before
+    and after it are both checked.  Unless a frame failed already, time is bisected until straight motion between
+    neighbouring frames keeps every rule, and until between them no angle sum can reach 2 pi, and no triangle lose its
+    height over its longest edge, at the largest rates of change seen there and in the two intervals beside.  The
+    first is exact, about what is played; the second is an estimate about the morph itself, as those rates are
+    measured.  It ends at steps of 2**-20, or at two million angle sums.  At the first failure it ends too, so
+    `frames_failed` is a share of the evenly spaced frames and those at flips only where these fail themselves.  O(n)
+    a frame.
 
     Examples
     --------
     >>> from tween import morph, triangulate
     >>> T = triangulate([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]])
     >>> print(certify(morph(T, T.on_disk()), frames=10))
-    valid
+    valid at every instant of playback
       frames: 10 checked, 0 failed
+      between frames: 9 checked, 0 failed
       largest angle sum: 4.7124 (1.5000 pi) at vertex 3, t = 0
       smallest triangle: area 0.2913, t = 1
-      exact at 10 frames; no rule can break between them at the rates of change measured (no proof)
+      checked for every instant of playback: exact at 10 frames and at every instant of straight motion ...
     """
     if not hasattr(shape, "at"):
         if not hasattr(shape, "triangles"):
@@ -219,11 +236,8 @@ def certify(shape: Any, frames: int = 100) -> Certificate:
     bounds = np.concatenate([[0.0], np.unique([event.time for event in shape.events]), [1.0]])
     lists = np.stack([shape.triangles_at(max(a, np.nextafter(b, 0.0))) for a, b in pairwise(bounds)])
     t, stage = _samples(bounds, frames)
-    checked = _run(t, stage, shape.at(t), lists)
-    promise = getattr(shape, "proof", "")
-    if promise:
-        return _certificate(checked, lists, f"; between them by construction: {promise}")
-    return _certificate(*_refine(shape, lists, checked))
+    checked, doubt = _refine(shape, lists, check(t, stage, shape.at(t), lists))
+    return _certificate(checked, lists, f"{_STRAIGHT}; {doubt}", _played(checked, lists))
 
 
 def _arrays(frames: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -240,37 +254,16 @@ def _arrays(frames: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64
     return shapes, np.ascontiguousarray(lists.reshape(-1, *lists.shape[-2:]).astype(np.int64))
 
 
-class _Checked(NamedTuple):
-    """Frames and what was found: angle `sums` (k, n), `heights` over longest edges (k, m), smallest `areas` (k,)."""
+class _Played(NamedTuple):
+    """How many intervals there are between valid frames, and the failures of straight motion, at most one each."""
 
-    t: NDArray[np.float64]
-    stage: NDArray[np.int64]
-    shapes: NDArray[np.float64]
-    faults: NDArray[np.int64]
-    sums: NDArray[np.float64]
-    heights: NDArray[np.float64]
-    areas: NDArray[np.float64]
-
-    def merged(self, other: "_Checked") -> "_Checked":
-        """Both together, in order of stage and time."""
-        joined = [np.concatenate(pair) for pair in zip(self, other, strict=True)]
-        order = np.lexsort((joined[0], joined[1]))
-        return _Checked(*(values[order] for values in joined))
+    intervals: int
+    failures: list[Failure]
 
 
-def _run(
-    t: NDArray[np.float64], stage: NDArray[np.int64], shapes: NDArray[np.float64], lists: NDArray[np.int64]
-) -> _Checked:
-    (k, n, _), m = shapes.shape, lists.shape[1]
-    found = np.zeros((k, 3), np.int64), np.full((k, n), nan), np.full((k, m), nan), np.full(k, nan)
-    if m == n - 2:
-        _check(np.ascontiguousarray(shapes), stage, lists, *found)
-    else:
-        found[0][:] = _COUNT, m, n - 2
-    return _Checked(t, stage, shapes, *found)
-
-
-def _certificate(checked: _Checked, lists: NDArray[np.int64], between: str) -> Certificate:
+def _certificate(
+    checked: Checked, lists: NDArray[np.int64], between: str, played: _Played | None = None
+) -> Certificate:
     t, failed = checked.t, np.flatnonzero(checked.faults[:, 0])
     area, area_time, angle, angle_time, vertex = nan, nan, nan, nan, -1
     if not np.isnan(checked.areas).all():
@@ -278,31 +271,90 @@ def _certificate(checked: _Checked, lists: NDArray[np.int64], between: str) -> C
         f, v = np.unravel_index(np.nanargmax(checked.sums), checked.sums.shape)
         area, area_time = float(checked.areas[least]), float(t[least])
         angle, angle_time, vertex = float(checked.sums[f, v]), float(t[f]), int(v)
-    failure = _failure(checked, lists, failed[np.argmin(t[failed])]) if len(failed) else None
-    at_frames = "exact at 1 frame" if len(t) == 1 else f"exact at {len(t)} frames"
-    proof = f"{at_frames}, {len(failed)} of them broken" if failure else f"{at_frames}{between}"
-    return Certificate(failure, len(t), len(failed), area, area_time, angle, angle_time, vertex, proof)
-
-
-def _failure(checked: _Checked, lists: NDArray[np.int64], f: np.intp) -> Failure:
-    code, a, b = checked.faults[f].tolist()
-    n, triangles = checked.sums.shape[1], lists[checked.stage[f]]
-    rule = _RULES[code].format(
-        a=a,
-        b=b,
-        n=n,
-        last=n - 1,
-        low=_LOW,
-        high=_HIGH,
-        corners=triangles[a].tolist() if code in (_INDEX, _FLIPPED) else "",
-        place=tuple(checked.shapes[f, a].tolist()) if code == _RANGE else "",
-        sum=checked.sums[f, a] if code == _TURNS else nan,
+    failures = [] if played is None else list(played.failures)
+    intervals = 0 if played is None else played.intervals, len(failures)
+    if len(failed):
+        f = failed[np.argmin(t[failed])]
+        failures.append(Failure(float(t[f]), *fault_words(checked, lists, f)))
+    failure = min(failures, key=lambda failure: failure.t, default=None)
+    return Certificate(
+        failure,
+        "frames" if played is None else "playback",
+        len(t),
+        len(failed),
+        *intervals,
+        area,
+        area_time,
+        angle,
+        angle_time,
+        vertex,
+        _words(len(t), len(failed), intervals[1], between, played is not None),
     )
-    edge = code in (_TWICE, _MISSING, _RIGHT, _OPEN)
-    return Failure(float(checked.t[f]), rule, None if code == _COUNT else (a, b) if edge else a)
+
+
+def _words(frames: int, failed: int, broken: int, between: str, played: bool) -> str:
+    """What was checked, and how it came out."""
+    what = "checked for every instant of playback" if played else "checked at frames"
+    at_frames = "exact at 1 frame" if frames == 1 else f"exact at {frames} frames"
+    if failed:
+        return f"{what}: {at_frames}, {failed} of them broken"
+    if broken:
+        return f"{what}: {at_frames}, and between them; {broken} of the intervals broken"
+    return f"{what}: {at_frames}{between}"
 
 
 # Between the frames
+
+_STRAIGHT = " and at every instant of straight motion between them"
+
+
+def _played(checked: Checked, lists: NDArray[np.int64]) -> _Played:
+    """Straight motion from each valid frame to the next, if that is valid, too."""
+    valid = checked.faults[:, 0] == 0
+    moved = np.flatnonzero(valid[:-1] & valid[1:])
+    same = checked.stage[moved] == checked.stage[moved + 1]
+    failures = [_straight_failure(checked, lists, f, f, breach) for f, breach in _broken(checked, lists, moved[same])]
+    found = [_failure_at_flip(checked, lists, f) for f in moved[~same].tolist()]
+    return _Played(len(moved), [*failures, *(failure for failure in found if failure)])
+
+
+def _broken(checked: Checked, lists: NDArray[np.int64], moved: NDArray[np.intp]) -> list[tuple[int, Breach]]:
+    """Those of some intervals that are broken under the triangles of their first frame."""
+    found = breaches(checked.shapes[moved], checked.shapes[moved + 1], lists[checked.stage[moved]])
+    return [(f, breach) for f, breach in zip(moved.tolist(), found, strict=True) if breach]
+
+
+def _straight_failure(checked: Checked, lists: NDArray[np.int64], f: int, own: int, breach: Breach) -> Failure:
+    """What breaks between frames f and f + 1 under the triangles of one of them."""
+    s, kind, element = breach
+    what = f"the angles at vertex {element} reach 2 pi"
+    if kind == "triangle":
+        what = f"triangle {element} {lists[checked.stage[own], element].tolist()} loses its area"
+    t = checked.t[f] + s * (checked.t[f + 1] - checked.t[f])
+    return Failure(float(t), f"{what} between frames {f} and {f + 1}, at {s:.17g} of the way", element)
+
+
+def _failure_at_flip(checked: Checked, lists: NDArray[np.int64], f: int) -> Failure | None:
+    """Why neither the triangles of frame f hold until the next, nor its own from frame f on; None where some do."""
+    reasons = []
+    for own, other in ((f, f + 1), (f + 1, f)):
+        there = slice(other, other + 1)
+        again = check(checked.t[there], checked.stage[own : own + 1], checked.shapes[there], lists)
+        if again.faults[0, 0]:
+            rule, element = fault_words(again, lists, 0)
+            reasons.append(Failure(float(checked.t[other]), f"{rule} at frame {other}", element))
+            continue
+        (breach,) = breaches(
+            checked.shapes[f : f + 1], checked.shapes[f + 1 : f + 2], lists[checked.stage[own : own + 1]]
+        )
+        if breach is None:
+            return None
+        reasons.append(_straight_failure(checked, lists, f, own, breach))
+        if breach.kind == "vertex" and own == f:
+            return reasons[0]  # up to there the triangles show a disk, so at that instant no others can
+    first, second = reasons
+    neither = f"the triangles change between frames {f} and {f + 1}, and neither list holds all the way"
+    return first._replace(rule=f"{neither}: under the earlier one {first.rule}; under the later one {second.rule}")
 
 
 def _samples(bounds: NDArray[np.float64], frames: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -315,21 +367,25 @@ def _samples(bounds: NDArray[np.float64], frames: int) -> tuple[NDArray[np.float
     return np.concatenate(stages), np.repeat(np.arange(len(stages)), [len(times) for times in stages])
 
 
-def _refine(shape: Any, lists: NDArray[np.int64], checked: _Checked) -> tuple[_Checked, NDArray[np.int64], str]:
-    """Bisect the intervals in doubt; also says how that ended."""
+def _refine(shape: Any, lists: NDArray[np.int64], checked: Checked) -> tuple[Checked, str]:
+    """Bisect the intervals in doubt; also says what is known of the morph itself."""
     most = _MOST_ANGLES // checked.sums.shape[1]
     while not checked.faults[:, 0].any():
-        doubt = np.flatnonzero(_doubtful(checked.t, checked.stage, checked.sums, checked.heights))
+        doubtful = _doubtful(checked.t, checked.stage, checked.sums, checked.heights)
+        steady = np.flatnonzero(checked.stage[:-1] == checked.stage[1:])
+        bent = [f for f, _ in _broken(checked, lists, steady)]
+        doubt = np.union1d(np.flatnonzero(doubtful), bent).astype(np.intp)
         wide = doubt[checked.t[doubt + 1] - checked.t[doubt] >= 2 * _SMALLEST_STEP]
         if not len(doubt):
-            return checked, lists, "; no rule can break between them at the rates of change measured (no proof)"
+            return checked, "the morph itself breaks no rule between them at the rates of change measured (an estimate)"
+        left = f"{len(doubt)} of the intervals stay in doubt as to the morph itself"
         if not len(wide):
-            return checked, lists, f"; down to the smallest step {len(doubt)} of the intervals stay in doubt"
+            return checked, f"down to the smallest step {left}"
         if len(checked.t) + len(wide) > most:
-            return checked, lists, f"; at the limit of {most} frames {len(doubt)} of the intervals stay in doubt"
+            return checked, f"at the limit of {most} frames {left}"
         t = 0.5 * (checked.t[wide] + checked.t[wide + 1])
-        checked = checked.merged(_run(t, checked.stage[wide], shape.at(t), lists))
-    return checked, lists, ""
+        checked = checked.merged(check(t, checked.stage[wide], shape.at(t), lists))
+    return checked, ""
 
 
 @njit(cache=True)
@@ -337,7 +393,7 @@ def _doubtful(t, stage, sums, heights):
     """Whether, between each frame and the next, an angle sum may reach 2 pi or a height 0."""
     doubt = np.zeros(t.size - 1, np.bool_)
     for f in range(t.size - 1):
-        if stage[f] == stage[f + 1]:
+        if stage[f] == stage[f + 1]:  # else a flip: one instant, looked at before and after
             doubt[f] = _may_rise(t, stage, sums, 1.0, f, 2.0 * pi) or _may_rise(t, stage, heights, -1.0, f, 0.0)
     return doubt
 
@@ -345,156 +401,14 @@ def _doubtful(t, stage, sums, heights):
 @njit(cache=True)
 def _may_rise(t, stage, values, sign, f, limit):
     """Whether sign times a value may reach the limit at the rates seen between frames f - 1 to f + 2."""
+    # the fastest of three intervals, as a single one may straddle a peak and seem slow
     first, last = max(f - 1, 0), min(f + 1, t.size - 2)
     for v in range(values.shape[1]):
         rate = 0.0
         for g in range(first, last + 1):
             if stage[g] == stage[f] and stage[g + 1] == stage[f]:
                 rate = max(rate, abs(values[g + 1, v] - values[g, v]) / (t[g + 1] - t[g]))
+        # lines of this slope, up from both ends, meet at half this sum: no peak is higher
         if 0.5 * (sign * (values[f, v] + values[f + 1, v]) + rate * (t[f + 1] - t[f])) >= limit:
             return True
     return False
-
-
-# One frame
-
-
-@njit(cache=True)
-def _check(shapes, stage, lists, faults, sums, heights, areas):
-    """Fill in faults and measures of all frames; frames of one stage follow each other."""
-    n = shapes.shape[1]
-    fault, start, fans = _fans(lists[stage[0]], n)
-    for f in range(len(shapes)):
-        if f > 0 and stage[f] != stage[f - 1]:
-            fault, start, fans = _fans(lists[stage[f]], n)
-        outside = _outside(shapes[f])
-        if fault[0] == _OK and outside < 0:
-            areas[f] = _measure(shapes[f], lists[stage[f]], sums[f], heights[f])
-            found = _shape_fault(shapes[f], lists[stage[f]], start, fans)
-        else:
-            found = fault if fault[0] != _OK else (_RANGE, outside, 0)
-        faults[f, 0], faults[f, 1], faults[f, 2] = found
-
-
-@njit(cache=True)
-def _outside(points):
-    """The first vertex whose coordinates the predicate cannot treat exactly; -1 for none."""
-    for v in range(len(points)):
-        for x in points[v]:
-            if not (x == 0.0 or _LOW <= abs(x) <= _HIGH):
-                return v
-    return -1
-
-
-@njit(cache=True)
-def _measure(points, triangles, sums, heights):
-    """Fill in the angle sums and the heights over the longest edge; returns the smallest area."""
-    sums[:] = 0.0
-    least = inf
-    for i in range(len(triangles)):
-        longest = 0.0
-        for s in range(3):
-            v, p, q = triangles[i, s], triangles[i, (s + 1) % 3], triangles[i, (s + 2) % 3]
-            ax, ay = points[p, 0] - points[v, 0], points[p, 1] - points[v, 1]
-            bx, by = points[q, 0] - points[v, 0], points[q, 1] - points[v, 1]
-            cross = ax * by - ay * bx
-            sums[v] += atan2(cross, ax * bx + ay * by)
-            longest = max(longest, ax * ax + ay * ay)
-        heights[i] = cross / longest if longest > 0.0 else 0.0
-        least = min(least, 0.5 * cross)
-    return least
-
-
-@njit(cache=True)
-def _shape_fault(points, triangles, start, fans):
-    """The first rule that the points break, under triangles that keep the rules of edges."""
-    for i in range(len(triangles)):
-        if turn(points, triangles[i, 0], triangles[i, 1], triangles[i, 2]) <= 0:
-            return _FLIPPED, i, 0
-    turning, worst, back, most = 1, 0, False, 0
-    for v in range(len(points)):
-        full, closed = _full_turns(points, v, fans[start[v] : start[v + 1]])
-        turning += full
-        if full > most:
-            worst, back, most = v, closed, full
-    if most == 0:
-        return _OK, 0, 0
-    return (_SPIKE, worst, 2 * most) if back else (_TURNS, worst, turning)
-
-
-@njit(cache=True)
-def _full_turns(points, v, fan):
-    """floor(angle sum / 2 pi) of a fan of positive triangles, and whether it ends in its first direction."""
-    full, right, ahead = 0, False, True
-    for p in fan[1:]:
-        side = turn(points, v, fan[0], p)
-        ahead = side == 0 and _same_direction(points, v, fan[0], p)
-        was_right, right = right, side < 0
-        full += int(was_right and not right)
-    return full, ahead
-
-
-@njit(cache=True)
-def _same_direction(points, v, p, q):
-    """Whether q lies on the same side of v as p, all three being on one line."""
-    axis = 0 if points[p, 0] != points[v, 0] else 1
-    return (points[p, axis] > points[v, axis]) == (points[q, axis] > points[v, axis])
-
-
-# Fans
-
-
-@njit(cache=True)
-def _fans(triangles, n):
-    """A fault of the triangles, and the fan of v in fans[start[v] : start[v + 1]]."""
-    start, fans = np.zeros(n + 1, np.int64), np.empty(3 * len(triangles) + n, np.int64)
-    for i in range(len(triangles)):
-        a, b, c = triangles[i]
-        if min(a, b, c) < 0 or max(a, b, c) >= n or a == b or b == c or c == a:
-            return (_INDEX, i, 0), start, fans
-        for v in triangles[i]:
-            start[v + 1] += 1
-    first = np.cumsum(start)
-    corners, place = np.empty(3 * len(triangles), np.int64), first[:-1].copy()
-    for h in range(corners.size):
-        v = triangles[h // 3, h % 3]
-        corners[place[v]] = h
-        place[v] += 1
-    start = first + np.arange(n + 1)
-    after, before = np.full(n, -1), np.full(n, -1)
-    for v in range(n):
-        own, fan = corners[first[v] : first[v + 1]], fans[start[v] : start[v + 1]]
-        fault = _walk(triangles, own, v, n, after, before, fan)
-        if fault[0] != _OK:
-            return fault, start, fans
-    return (_OK, 0, 0), start, fans
-
-
-@njit(cache=True)
-def _walk(triangles, corners, v, n, after, before, fan):
-    """Walk from the successor of v to its predecessor, over all triangles v, p, after[p]; or tell why that fails."""
-    successor, predecessor = (v + 1) % n, (v - 1) % n
-    for h in corners:
-        p, q = triangles[h // 3, (h + 1) % 3], triangles[h // 3, (h + 2) % 3]
-        if after[p] >= 0:
-            return _TWICE, v, p
-        if before[q] >= 0:
-            return _TWICE, q, v
-        after[p], before[q] = q, p
-    if after[successor] < 0:
-        return _MISSING, v, successor
-    if before[successor] >= 0:
-        return _RIGHT, v, successor
-    if after[predecessor] >= 0:
-        return _RIGHT, predecessor, v
-    p, size = successor, 0
-    while after[p] >= 0:
-        fan[size], size, q = p, size + 1, after[p]
-        after[p], before[q], p = -1, -1, q
-    fan[size] = p
-    if p != predecessor:
-        return _OPEN, v, p
-    for h in corners:
-        if after[triangles[h // 3, (h + 1) % 3]] >= 0:
-            return _APART, h // 3, v
-    return _OK, 0, 0

@@ -1,14 +1,21 @@
 """What a morph is, once it is found: shapes at times, the triangles in force, the flips on the way."""
 
 from collections.abc import Iterator
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
+from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
+from tween.errors import GuaranteeError, MotionError
+from tween.geometry.predicates import EXACT_RANGE
 from tween.morphing.alignment import Alignment
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.triangulating.compatibility import match_rows
+
+if TYPE_CHECKING:
+    from tween.measuring.playback import Playback
 
 _AT_ONCE = 2**21  # vertices times frames that are laid out at once
 
@@ -26,6 +33,20 @@ class Motion(Protocol):
 
     stages: list[tuple[float, NDArray[np.int64]]]
     events: list[Event]
+
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        """Prove that all shapes are valid in doubles, or tell where that fails; called for a guarantee only.
+
+        Parameters
+        ----------
+        placing : Placing
+            What may be done to the shapes afterwards.
+
+        Returns
+        -------
+        Doubt, or (float, float)
+            The first one; or the times up to which the first shape, and from which on the last, is to be shown.
+        """
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the shapes at many times.
@@ -78,6 +99,7 @@ class Morph:
         self.u: float | None = flows[0] if flows else None
         self.v: float | None = flows[1] if flows else None
         self._motion, self._backwards, self._shift = motion, backwards, shift
+        self._snaps = 0.0, 1.0
         self._stages = self._own_stages()
         self.events = [self._own_event(e) for e in (reversed(motion.events) if backwards else motion.events)]
 
@@ -112,6 +134,8 @@ class Morph:
         ------
         ValueError
             Where a time is not between 0 and 1.
+        MotionError
+            Where a shape leaves the range in which signs are exact, see `EXACT_RANGE` of the predicates.
 
         Notes
         -----
@@ -120,11 +144,17 @@ class Morph:
         t = np.asarray(times, dtype=np.float64)
         if t.ndim != 1 or not ((t >= 0) & (t <= 1)).all():
             raise ValueError(f"times are {times!r}, expected a list of numbers from 0 to 1")
+        t = np.where(t <= self._snaps[0], 0.0, np.where(t >= self._snaps[1], 1.0, t))
         shapes = self._motion.at(1 - t if self._backwards else t)
         if self._shift:
             shapes = np.roll(shapes, self._shift, axis=1)
         shapes[t == 0] = self.source.points  # whatever rounding the motion, or a baseline, leaves there
         shapes[t == 1] = self.target.points
+        for f, v in _out_of_range(shapes):
+            raise MotionError(
+                f"the shape at t = {t[f]:.6g} cannot be written down: vertex {v} would be at "
+                f"{tuple(shapes[f, v].tolist())}, expected coordinates of at most {EXACT_RANGE[1]:.0e} in magnitude"
+            )
         return shapes
 
     def frames(self, k: int, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
@@ -186,7 +216,7 @@ class Morph:
         Morph
             In the numbers that the target had before the two were matched.
         """
-        return Morph(
+        turned = Morph(
             self._motion,
             self.alignment.exchanged(),
             None if self.u is None or self.v is None else (self.v, self.u),
@@ -194,6 +224,65 @@ class Morph:
             not self._backwards,
             (self._shift + self.alignment.shift) % len(self.source),
         )
+        turned._snaps = 1.0 - self._snaps[1], 1.0 - self._snaps[0]
+        return turned
+
+    def guaranteed(self) -> "Morph":
+        """Prove that every array that `at` returns bounds an immersed disk, see `layout_errors`.
+
+        Returns
+        -------
+        Morph
+            Itself.  Very close to ends that are only just valid it shows the ends themselves from now on.
+
+        Raises
+        ------
+        GuaranteeError
+            Where that cannot be proved: when, at which vertex or triangle, and why.
+        """
+        ends = self.source, self.target
+        areas = [float(T.areas.sum()) for T in ends]
+        offset = max(float(np.abs(T.points).max()) for T in ends)
+        found = self._motion.first_doubt(Placing(offset, min(areas), max(areas)))
+        if isinstance(found, Doubt):
+            raise GuaranteeError(self._in_words(found))
+        self._snaps = (1.0 - found[1], 1.0 - found[0]) if self._backwards else found
+        return self
+
+    def _in_words(self, doubt: Doubt) -> str:
+        """Say what is in doubt in this morph's times and vertices."""
+        start, stop = (1.0 - doubt.stop, 1.0 - doubt.start) if self._backwards else (doubt.start, doubt.stop)
+        own = tuple((v + self._shift) % len(self.source) for v in doubt.vertices)
+        when = f"no guarantee between t = {start:.6g} and {stop:.6g}"
+        left, needed = max(doubt.left, 0.0), doubt.needed
+        if doubt.rule == "vertex":
+            return f"{when}: vertex {own[0]} has {left:.1g} left below 2 pi, of which rounding may need {needed:.1g}"
+        if doubt.rule == "triangle":
+            return f"{when}: triangle {own} is {left:.1g} high, of which rounding may need {needed:.1g}"
+        return f"{when}: vertex {own[0]} may leave the range of coordinates in which signs are exact"
+
+    def playback(self, tolerance: float = 1e-3, most: int = 1000) -> "Playback":
+        """Return frames, straight motion between which stays close to this morph and is verified at every instant.
+
+        Parameters
+        ----------
+        tolerance : float
+            As a fraction of the width of the shape.
+        most : int
+            Frames.
+
+        Returns
+        -------
+        Playback
+
+        Raises
+        ------
+        TweenError
+            Where there are none, see `tween.playback`.
+        """
+        from tween.measuring.playback import playback  # here, as what measures morphs stands above them
+
+        return playback(self, tolerance, most)
 
     def triangles_at(self, t: float) -> NDArray[np.int64]:
         """Return the triangles in force at a time.
@@ -231,6 +320,8 @@ class Morph:
         if self._backwards:
             starts = [0.0, *(1 - s for s, _ in reversed(stages[1:]))]
             stages = [(s, triangles) for s, (_, triangles) in zip(starts, reversed(stages), strict=True)]
+        if len(stages) == 1 and np.array_equal(stages[0][1], self.source.triangles):
+            return stages
         rows = match_rows(stages[0][1], self.source.triangles)
         return [(s, triangles[rows]) for s, triangles in stages]
 
@@ -244,3 +335,18 @@ class Morph:
 
     def __repr__(self) -> str:
         return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"
+
+
+@njit(cache=True)
+def _out_of_range(shapes):
+    """Round what is too small for exact signs to 0, and list (shape, vertex) of the first one that is too large."""
+    k, n, _ = shapes.shape
+    for f in range(k):
+        for v in range(n):
+            for s in range(2):
+                size = abs(shapes[f, v, s])
+                if size < EXACT_RANGE[0]:
+                    shapes[f, v, s] = 0.0
+                elif not size <= EXACT_RANGE[1]:
+                    return [(f, v)]
+    return [(f, f) for f in range(0)]

@@ -26,6 +26,7 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.morph import Motion
 
 _STEPS, _FEWEST_STEPS = 256, 32  # by which the rotation is integrated, in each stretch without flips
@@ -67,6 +68,19 @@ class Steady:
         shapes = self._motion.at(t)
         _place(shapes, t, self._turn.at(t), self._ends, self._keeps_size)
         return shapes
+
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        """Prove what the motion before it was placed can prove, allowing for the errors of placing.
+
+        Parameters
+        ----------
+        placing : Placing
+
+        Returns
+        -------
+        Doubt, or (float, float)
+        """
+        return self._motion.first_doubt(placing)
 
     @cached_property
     def _ends(self) -> NDArray[np.float64]:
@@ -134,7 +148,7 @@ def _turns(y: NDArray[np.complex128], after: NDArray[np.complex128]) -> NDArray[
 @njit(cache=True)
 def _area(shape):
     """The signed area of a curve, about its first vertex so that nothing large cancels."""
-    total = 0.0
+    total = 0.0  # layers add up, so for an immersed disk this is the area of its triangles, and positive
     for i in range(1, len(shape) - 1):
         ax, ay = shape[i, 0] - shape[0, 0], shape[i, 1] - shape[0, 1]
         bx, by = shape[i + 1, 0] - shape[0, 0], shape[i + 1, 1] - shape[0, 1]
@@ -152,6 +166,7 @@ def _place(shapes, t, angle, ends, keeps_size):
         scale = 1.0
         if not keeps_size:
             scale = np.sqrt(((1.0 - t[f]) * ends[0, 2] + t[f] * ends[1, 2]) / _area(shapes[f]))
+        # one rotation and scale for the whole shape: a similarity, which keeps every angle
         c, s = scale * np.cos(angle[f]), scale * np.sin(angle[f])
         x0, y0 = shapes[f, :, 0].mean(), shapes[f, :, 1].mean()
         x1 = (1.0 - t[f]) * ends[0, 0] + t[f] * ends[1, 0]

@@ -5,11 +5,17 @@ A film holds each shape on the way once, in pixels, and says which of them is sh
     number    0   1   2  ...  k-2  k-1  k-2  ...  1   0
     seconds  rest  one / fps each  rest  one / fps each
 
-Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``t`` time of the morph.
+What is drawn picture by picture has shapes evenly spaced on the clock.  What a player moves straight from one shape
+to the next takes, where it can, those of a `tween.measuring.playback`, of the shapes as they are on the canvas: so
+all that is played is verified.
+
+Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``s`` the clock, from 0 to 1 on the way there; ``t`` time
+of the morph.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from math import isfinite
+from math import asin, isfinite, sin
 from typing import Any
 
 import numpy as np
@@ -18,6 +24,8 @@ from numpy.typing import NDArray
 
 from tween.choices import SIZES, STYLES, Style
 from tween.colors import EDGE, INK, SOURCE, TARGET
+from tween.errors import TweenError
+from tween.measuring.playback import playback
 from tween.morphing.morph import Morph
 from tween.plot.shapes import identity_colors
 
@@ -26,6 +34,7 @@ Color = tuple[int, int, int]
 OPACITY = 0.45
 """Of one layer of a disk."""
 
+_TOLERANCE = 2e-3  # of a shape's width, between the shapes of a playback: a pixel of 480
 _MARGIN = 0.04  # of the longer side, on every side
 """Pixels of a side, least and most."""
 
@@ -41,6 +50,8 @@ class Film:
 
     Attributes
     ----------
+    clock : ndarray of float64, shape (k,)
+        When each shape is reached on the way there, as a fraction of its time.
     times : ndarray of float64, shape (k,)
         When in the morph each shape is.
     shapes : ndarray of float64, shape (k, n, 2)
@@ -49,8 +60,10 @@ class Film:
         In force at each shape; the rows keep their identity, and a flip changes one corner of each of its two rows.
     flips : ndarray of int, shape (k,)
         How many flips were done until each shape.
-    fps, hold : float
-        Frames a second; seconds of rest at the source and the target.
+    fps, hold, way : float
+        Frames a second; seconds of rest at the source and the target; seconds from one to the other.
+    trouble : str
+        Why straight motion between the shapes is not verified, where that was asked for and cannot be; otherwise empty.
     there_and_back : bool
     width, height : int
         Pixels.
@@ -63,12 +76,15 @@ class Film:
         Colours of the canvas, of outlines and of diagonals.
     """
 
+    clock: NDArray[np.float64]
     times: NDArray[np.float64]
     shapes: NDArray[np.float64]
     triangles: NDArray[np.int64]
     flips: NDArray[np.int64]
     fps: float
     hold: float
+    way: float
+    trouble: str
     there_and_back: bool
     width: int
     height: int
@@ -92,7 +108,7 @@ class Film:
 
     @property
     def seconds(self) -> NDArray[np.float64]:
-        """How long each of those is shown, shape (j,); the source rests at the start only, as the film goes round."""
+        """How long each of those is shown, evenly spaced, shape (j,); as the film goes round, the source rests once."""
         seconds = np.full(len(self.numbers), 1 / self.fps)
         seconds[[0, len(self.times) - 1]] += self.hold
         return seconds
@@ -108,9 +124,9 @@ def record(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
+    verified: bool = False,
 ) -> Film:
-    """Lay out a morph on a canvas.
+    """Lay out a morph on a canvas, all shapes at one scale.
 
     Parameters
     ----------
@@ -130,8 +146,9 @@ def record(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others, and in the middle.
+    verified : bool
+        Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
+        spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
 
     Returns
     -------
@@ -151,22 +168,32 @@ def record(
     (10, 19, 200)
     """
     _check_options(m, frames, fps, size, style, hold, background)
-    s = np.linspace(0.0, 1.0, frames)
-    times = s * s * (3 - 2 * s) if ease else s
-    shapes, width, height = _on_canvas(m.at(times) if one_scale else _alike(m.at(times)), size)
+    clock = np.linspace(0.0, 1.0, frames)
+    stage = _Stage(m, ease, size, clock)
+    trouble, lists = "", None
+    if verified:
+        try:
+            played = playback(stage, _TOLERANCE)
+            clock, lists = played.times, list(played.triangles)
+        except TweenError as error:
+            trouble = str(error)
+    times = stage.eased(clock)
     flips = np.searchsorted([event.time for event in m.events], times, side="right")
     dark = float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
     tints = (1 - times[:, None]) * _bytes(SOURCE) + times[:, None] * _bytes(TARGET)
     return Film(
+        clock=clock,
         times=times,
-        shapes=shapes,
-        triangles=_steady([m.triangles_at(float(t)) for t in times]),
+        shapes=stage.at(clock) * [1, -1],
+        triangles=_steady(lists or [m.triangles_at(float(t)) for t in times]),
         flips=np.where(times > 0, flips, 0),
         fps=float(fps),
         hold=float(hold),
+        way=(frames - 1) / float(fps),
+        trouble=trouble,
         there_and_back=bool(there_and_back),
-        width=width,
-        height=height,
+        width=stage.width,
+        height=stage.height,
         style=style,
         colors=np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.int64),
         tints=np.rint(tints).astype(np.int64),
@@ -174,6 +201,27 @@ def record(
         ink=_color(_LIGHT_INK if dark else INK),
         edge=_color(EDGE),
     )
+
+
+class _Stage:
+    """A morph by the clock, in pixels with y upwards: below the upper left corner of the canvas y is negative."""
+
+    def __init__(self, m: Morph, ease: bool, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
+        self._m, self._ease = m, ease
+        self._placed, self.width, self.height = _on_canvas(m.at(self.eased(clock)), size)
+        self.events = [event._replace(time=self._uneased(event.time)) for event in m.events]
+
+    def eased(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+        return s * s * (3 - 2 * s) if self._ease else s
+
+    def _uneased(self, t: float) -> float:
+        return 0.5 - sin(asin(1 - 2 * t) / 3) if self._ease else t
+
+    def at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self._placed(self._m.at(self.eased(s)))
+
+    def triangles_at(self, s: float) -> NDArray[np.int64]:
+        return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
 
 
 def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:
@@ -219,14 +267,10 @@ def _color(color: str) -> Color:
     return red, green, blue
 
 
-def _alike(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The shapes made equally large, and their middles put in one place."""
-    low, high = shapes.min(axis=1, keepdims=True), shapes.max(axis=1, keepdims=True)
-    return (shapes - 0.5 * (low + high)) / (high - low).max(axis=2, keepdims=True)
-
-
-def _on_canvas(shapes: NDArray[np.float64], size: int | tuple[int, int]) -> tuple[NDArray[np.float64], int, int]:
-    """Shapes in pixels, all at one scale, and the width and height of the canvas."""
+def _on_canvas(
+    shapes: NDArray[np.float64], size: int | tuple[int, int]
+) -> tuple[Callable[[NDArray[np.float64]], NDArray[np.float64]], int, int]:
+    """What puts shapes on the canvas, all at one scale, and the width and height of it."""
     low, high = shapes.min(axis=(0, 1)), shapes.max(axis=(0, 1))
     extent = high - low
     if isinstance(size, tuple | list):
@@ -237,8 +281,8 @@ def _on_canvas(shapes: NDArray[np.float64], size: int | tuple[int, int]) -> tupl
         sides = extent / extent.max() * (size - 2 * margin) + 2 * margin
         width, height = (2 * int(np.ceil(side / 2 - 1e-9)) if side < size else size for side in sides.tolist())
     scale = ((np.array([width, height]) - 2 * margin) / extent).min()
-    middle = 0.5 * (low + high)
-    return (shapes - middle) * [scale, -scale] + [0.5 * width, 0.5 * height], width, height
+    middle, center = 0.5 * (low + high), np.array([0.5 * width, -0.5 * height])
+    return lambda shapes: (shapes - middle) * scale + center, width, height
 
 
 def _steady(lists: list[NDArray[np.int64]]) -> NDArray[np.int64]:

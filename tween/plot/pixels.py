@@ -73,6 +73,8 @@ def _diagonals(triangles: NDArray[np.int64]) -> NDArray[np.int64]:
 def _lay(canvas, polygons, colors, bare):
     """Lay polygons on a canvas of one colour; ``bare[c]`` is the share of it that shows through c layers."""
     background = canvas[0, 0].copy()
+    # integers, so that what one triangle adds along an edge its neighbour takes away exactly
+    # one column more, for what lies beyond the right border
     sums = np.zeros((canvas.shape[0] * _FINE, canvas.shape[1] * _FINE + 1, 4), np.int32)
     for p in range(polygons.shape[0]):
         for i in range(polygons.shape[1]):
@@ -85,6 +87,7 @@ def _lay(canvas, polygons, colors, bare):
                 inside[channel] += sums[y, x, channel]
             layers = inside[0]
             if layers != 0:
+                # polygons of one orientation count negative, and so do their colours: the quotient has no sign
                 share = (1.0 - bare[min(abs(layers), len(bare) - 1)]) / _FINE**2
                 for channel in range(3):
                     change = inside[1 + channel] / layers - background[channel]
@@ -96,6 +99,7 @@ def _add_edge(sums, a, b, color):
     """Add the colour where the edge enters a polygon, or take it away where it leaves it, in the rows it crosses."""
     sign, top, bottom = (1, a, b) if b[1] > a[1] else (-1, b, a)
     slope = (bottom[0] - top[0]) / (bottom[1] - top[1]) if bottom[1] > top[1] else 0.0
+    # rows whose middle lies from top to below bottom: edges that meet at a vertex share no row and leave none out
     for row in range(max(0, ceil(top[1] - 0.5)), min(sums.shape[0], ceil(bottom[1] - 0.5))):
         column = ceil(top[0] + slope * (row + 0.5 - top[1]) - 0.5)
         place = sums[row, min(max(column, 0), sums.shape[1] - 1)]

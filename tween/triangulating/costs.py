@@ -1,4 +1,4 @@
-"""Costs of triangles, for `Decomposition.optimal`: each makes a function from triangles to numbers.
+"""Costs of triangles, for `.Decomposition.optimal`: each makes a function from triangles to numbers.
 
 d.optimal(edge_length(points))                      least total length of the diagonals
 d.optimal(smallest_angle(points), "max")            largest smallest angle
@@ -70,7 +70,7 @@ def smallest_angle(points: NDArray[np.float64]) -> Cost:
 
 
 def distortion(source: NDArray[np.float64], target: NDArray[np.float64]) -> Cost:
-    """Make the cost of mapping triangles of one shape to those of another, for `Decomposition.optimal`.
+    """Make the cost of mapping triangles of one shape to those of another, for `.Decomposition.optimal`.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def _dirichlet(first, second, triangles):
     energies = np.empty(len(triangles))
     there, back = np.empty((3, 2)), np.empty((3, 2))
     for t in range(len(triangles)):
-        for s in range(3):
+        for s in range(3):  # edge s lies opposite to corner s
             i, j = triangles[t, (s + 2) % 3], triangles[t, (s + 1) % 3]
             for k in range(2):
                 there[s, k], back[s, k] = first[i, k] - first[j, k], second[i, k] - second[j, k]
@@ -150,7 +150,9 @@ def _energy(edges, images):
     """
     total = 0.0
     for s in range(3):
+        # edges run around, so of the two at corner s one arrives: the minus makes both leave it
         u, v = edges[(s + 1) % 3], edges[(s + 2) % 3]
         total += -(u[0] * v[0] + u[1] * v[1]) * (images[s, 0] * images[s, 0] + images[s, 1] * images[s, 1])
+    # cot = that product over this one, which is the same at every corner: one division does
     twice_area = edges[1, 0] * edges[2, 1] - edges[1, 1] * edges[2, 0]
     return 0.5 * total / twice_area

@@ -1,6 +1,6 @@
 """Which triangulations a curve has: decided, counted, sampled, the best one, one for each immersed disk.
 
-By the table of Shor and Van Wyk, see `table`.
+By the table of Shor and Van Wyk, see `.table`.
 
 References
 ----------
@@ -262,7 +262,7 @@ class Decomposition:
         all locally Delaunay.  So it is enough to list those: the same table, where a split counts
         only under a triangle whose third vertex is not in its circumcircle.  Of four cocircular vertices
         the one of smallest number counts as slightly lifted, exactly, so ties do not multiply the
-        answer.  The curve is reduced first, see `reduction`, and the rest costs O(splits * n).  Exact.
+        answer.  The curve is reduced first, see `.reduction`, and the rest costs O(splits * n).  Exact.
 
         Examples
         --------
@@ -357,7 +357,7 @@ def decompose(*curves: Curve | ArrayLike) -> Decomposition:
     counter-clockwise triangles have angles (n-2) pi in all, as many as the interior angles of a curve
     of turning number 1, so no vertex can hide a further 2 pi.  Kept as sparse lists it costs, in time,
     the number of triples (i, k, j) with both pairs holding: O(n**3) at worst.  A single curve of more
-    than 200 vertices is reduced first, see `reduction`: with few crossings that is near-linear.
+    than 200 vertices is reduced first, see `.reduction`: with few crossings that is near-linear.
 
     Examples
     --------

@@ -9,7 +9,7 @@ keep their rows, and the edge its number:
         \   /                 \ | /
           d                     d
 
-Legend: ``h`` half-edges as in `triangulation`; ``a b c d`` the corners above.
+Legend: ``h`` half-edges as in `.triangulation`; ``a b c d`` the corners above.
 """
 
 from collections.abc import Callable
@@ -69,7 +69,7 @@ def locally_delaunay(T: Triangulation) -> NDArray[np.bool_]:
     Returns
     -------
     ndarray of bool, shape (n-3,)
-        Row for row with `Triangulation.diagonals`; True also for cocircular quadruples.
+        Row for row with `.Triangulation.diagonals`; True also for cocircular quadruples.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def flippable(T: Triangulation) -> NDArray[np.bool_]:
     Returns
     -------
     ndarray of bool, shape (n-3,)
-        Row for row with `Triangulation.diagonals`.
+        Row for row with `.Triangulation.diagonals`.
 
     Examples
     --------
@@ -172,7 +172,7 @@ def _rows(test: Callable[..., bool], T: Triangulation) -> NDArray[np.bool_]:
 def quadrilateral(triangles, twin, h):
     """Corners a, b, c, d around half-edge h from a to b, for compiled kernels."""
     t, s = h // 3, h % 3
-    g = twin[t, s]
+    g = twin[t, s]  # from b to a, so that its third corner is d
     return triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3], triangles[g // 3, (g + 2) % 3]
 
 
@@ -180,13 +180,14 @@ def quadrilateral(triangles, twin, h):
 def not_delaunay(points, triangles, twin, h):
     """Whether half-edge h lies on a diagonal that is not locally Delaunay, exactly, for compiled kernels."""
     a, b, c, d = quadrilateral(triangles, twin, h)
-    return in_circumcircle(points, a, b, c, d) > 0
+    return in_circumcircle(points, a, b, c, d) > 0  # a, b, c is counter-clockwise, so inside is positive
 
 
 @njit(cache=True)
 def is_convex(points, triangles, twin, h):
     """Whether the quadrilateral around half-edge h is strictly convex, exactly, for compiled kernels."""
     a, b, c, d = quadrilateral(triangles, twin, h)
+    # at c and d it is convex anyway: there it has the angles of the two triangles
     return turn(points, d, b, c) > 0 and turn(points, c, a, d) > 0
 
 
@@ -208,6 +209,7 @@ def flip_in_place(triangles, twin, h):
     t, s = h // 3, h % 3
     g = twin[t, s]
     u, r = g // 3, g % 3
+    # read before the rows are written; in a tree t and u share one edge only, so none of these lies in t or u
     bc, ca = twin[t, (s + 1) % 3], twin[t, (s + 2) % 3]
     ad, db = twin[u, (r + 1) % 3], twin[u, (r + 2) % 3]
     triangles[t, 0], triangles[t, 1], triangles[t, 2] = c, d, b
@@ -226,7 +228,7 @@ def _number_edges(twin):
     number, half = np.full(flat.size, -1, np.int64), np.empty(flat.size, np.int64)
     size = 0
     for h in range(flat.size):
-        if flat[h] > h:
+        if flat[h] > h:  # each diagonal once, and no edge of the curve
             number[h] = number[flat[h]] = size
             half[size] = h
             size += 1
@@ -240,9 +242,11 @@ def _flip_numbered(triangles, twin, number, half, edge):
     t, s = h // 3, h % 3
     g = twin[t, s]
     u, r = g // 3, g % 3
+    # the rim, too, since its half-edges in t and u change their slots
     bc, ca = number[3 * t + (s + 1) % 3], number[3 * t + (s + 2) % 3]
     ad, db = number[3 * u + (r + 1) % 3], number[3 * u + (r + 2) % 3]
     flip_in_place(triangles, twin, h)
+    # in the order in which flip_in_place writes the rows; half is renewed, as it may name a slot that changed
     for place, carried in ((3 * t, edge), (3 * t + 1, db), (3 * t + 2, bc), (3 * u + 1, ca), (3 * u + 2, ad)):
         number[place] = carried
         if carried >= 0:
@@ -254,7 +258,7 @@ def _flip_numbered(triangles, twin, number, half, edge):
 def _flip_to_delaunay(points, triangles, twin):
     """Algorithm 1: pop an edge and mark it; if it is not locally Delaunay, flip it and push its marked rim."""
     number, half = _number_edges(twin)
-    stack = np.arange(half.size)
+    stack = np.arange(half.size)  # never overflows: an edge stands on it once at most, marked while it does not
     size = half.size
     marked = np.zeros(half.size, np.bool_)
     while size > 0:
@@ -263,9 +267,10 @@ def _flip_to_delaunay(points, triangles, twin):
         marked[edge] = True
         if not not_delaunay(points, triangles, twin, half[edge]):
             continue
+        # convex where it is not locally Delaunay, and each flip makes the sorted angles larger: this ends
         _flip_numbered(triangles, twin, number, half, edge)
         h = half[edge]
-        g = twin[h // 3, h % 3]
+        g = twin[h // 3, h % 3]  # h and g have slot 0 after a flip, the rim slots 1 and 2
         for rim in (h + 1, h + 2, g + 1, g + 2):
             other = number[rim]
             if other >= 0 and marked[other]:

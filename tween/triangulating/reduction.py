@@ -1,4 +1,4 @@
-r"""Reducing a curve to a smaller one that bounds the same disks, and restoring what was removed in triangulations.
+r"""Reducing a curve to a smaller one that bounds the same disks.
 
 Let v have the neighbours a and b on the curve.  v may be removed when the closed triangle of a, v, b holds no other
 vertex, and the turn at v is
@@ -20,17 +20,9 @@ reduced curve, the corner x could be stopped by an edge that crosses both sides;
 meets ab meets av or vb, so an edge once met by none is never met later.
 
 What is left has at most about as many vertices as there are edges that meet others; where a curve crosses itself a few
-times, however finely it is drawn, that is next to nothing.  In reverse order an ear is glued on again; a dent is cut
-out of the triangulation: the triangles that meet a b v form a chain from the edge ab to v, and the two polygons beside
-the dent are triangulated anew, by Delaunay triangles.
+times, however finely it is drawn, that is next to nothing.  How the vertices come back: `.restoration`.
 
-Legend: ``a v b`` neighbours on the curve; ``t s`` triangle and slot, ``h = 3 t + s`` half-edge; ``p q z`` left and
-right end of the edge by which the chain enters a triangle, and the triangle's third vertex.
-
-References
-----------
-Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations* (1997): the
-polygons beside an edge.
+Legend: ``a v b`` neighbours on the curve; ``w`` any other vertex.
 """
 
 from typing import NamedTuple
@@ -104,21 +96,22 @@ def _reduce(points, crossed):
     removed, dents = np.empty((n, 3), np.int64), np.empty(n, np.bool_)
     left, first, count = n, 0, 0
     while left > 3:
-        grid = _grid(points, alive, left)
-        found, v, steps = 0, first, left
+        grid = _grid(points, alive, left)  # keeps what this round removes: _is_empty asks who is alive
+        found, v, steps = 0, first, left  # steps: vertices of this round from v on
         while steps > 0 and left > 3:
             a, b = before[v], after[v]
             side = turn(points, a, v, b)
             if _may_go(points, crossed, a, v, b, side) and _is_empty(points, alive, grid, a, v, b, side):
-                crossed[a] |= crossed[v]
+                crossed[a] |= crossed[v]  # what meets the new edge met one of the two old ones
                 removed[count], dents[count] = (a, v, b), side <= 0
                 alive[v] = False
                 after[a], before[b] = b, a
                 left, count, found = left - 1, count + 1, found + 1
+                # not b at once, or a convex curve would shrink from one side, by ever longer ears
                 first, v, steps = b, after[b], steps - 2
             else:
                 v, steps = b, steps - 1
-        if found == 0:
+        if found == 0:  # nothing has changed, so nothing would in another round
             break
     return np.flatnonzero(alive), removed[:count].copy(), dents[:count].copy()
 
@@ -128,6 +121,7 @@ def _may_go(points, crossed, a, v, b, side):
     """Whether v is the tip of an ear or of a dent that nothing meets, or lies on ab; not the tip of a spike."""
     if side != 0:
         return side > 0 or not (crossed[a] or crossed[v])
+    # on the line ab, so comparing coordinates tells exactly whether v lies between: else it is a spike
     (ax, ay), (vx, vy), (bx, by) = points[a], points[v], points[b]
     return min(ax, bx) <= vx <= max(ax, bx) and min(ay, by) <= vy <= max(ay, by)
 
@@ -141,8 +135,10 @@ def _grid(points, alive, left):
             x0, x1 = min(x0, points[v, 0]), max(x1, points[v, 0])
             y0, y1 = min(y0, points[v, 1]), max(y1, points[v, 1])
     wide, high = x1 - x0, y1 - y0
+    # the second term keeps the cells of a thin box few, and those of a flat one from having no size
     size = max(np.sqrt(wide * high * _PER_CELL / left), max(wide, high) * _PER_CELL / left)
     columns, rows = int(wide / size) + 1, int(high / size) + 1
+    # sorted by counting: how many a cell has, where each begins, who is in it
     start = np.zeros(columns * rows + 1, np.int64)
     for v in range(len(points)):
         if alive[v]:
@@ -169,15 +165,16 @@ def _is_empty(points, alive, grid, a, v, b, side):
     x0, y0, size, columns, rows, start, items = grid
     low_x, high_x = min(points[a, 0], points[v, 0], points[b, 0]), max(points[a, 0], points[v, 0], points[b, 0])
     low_y, high_y = min(points[a, 1], points[v, 1], points[b, 1]), max(points[a, 1], points[v, 1], points[b, 1])
-    q, r = (v, b) if side > 0 else (b, v)
+    q, r = (v, b) if side > 0 else (b, v)  # a, q, r is counter-clockwise
     for row in range(_cell(low_y, y0, size, rows), _cell(high_y, y0, size, rows) + 1):
         first = _cell(low_x, x0, size, columns) + columns * row
-        last = _cell(high_x, x0, size, columns) + columns * row
+        last = _cell(high_x, x0, size, columns) + columns * row  # cells of a row follow each other in items
         for w in items[start[first] : start[last + 1]]:
             if not alive[w] or w == a or w == v or w == b:
                 continue
             if not (low_x <= points[w, 0] <= high_x and low_y <= points[w, 1] <= high_y):
                 continue
+            # where a, v, b are collinear, a w beside their line has turns of both signs, and on it the box decides
             if turn(points, a, q, w) >= 0 and turn(points, q, r, w) >= 0 and turn(points, r, a, w) >= 0:
                 return False
     return True

@@ -110,7 +110,7 @@ class Table:
 
     @cached_property
     def graph(self) -> Graph:
-        """The splits that triangulations of the whole curves can use; `TweenError` where they would not fit."""
+        """The splits that triangulations of the whole curves can use; `.TweenError` where they would not fit."""
         start = np.repeat(np.arange(self._n), self._last - self._first)
         start = start[np.argsort(np.repeat(self._first, self._last - self._first), kind="stable")]
         ends = np.stack([start, self._ends], axis=1).astype(np.int32)

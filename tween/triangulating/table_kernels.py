@@ -1,7 +1,7 @@
 """Compiled kernels of the table of Shor and Van Wyk and of the walks through it.
 
 The table keeps, for every vertex i, the list of j for which the pair (i, j) holds, see
-`table` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
+`.table` for the words.  Points are a stack of curves, (c, n, 2), for joint decompositions.
 
 Pairs that no triangulation of the whole curve can use are not worth keeping.  Its turning number is 1, so the
 triangles at a vertex fill the curve's interior angle there, which is less than 2 pi; hence a diagonal leaves
@@ -33,6 +33,7 @@ def _reflex(points):
     reflex = np.empty((curves, n), np.bool_)
     for c in range(curves):
         for i in range(n):
+            # a straight vertex is not reflex: both half planes of _leaves_inwards are the same there
             reflex[c, i] = turn(points[c], i - 1, i, (i + 1) % n) < 0
     return reflex
 
@@ -44,6 +45,7 @@ def _leaves_inwards(points, reflex, i, j):
     before, after = (i - 1) % n, (i + 1) % n
     for c in range(points.shape[0]):
         past_after, ahead_of_before = turn(points[c], i, after, j) > 0, turn(points[c], i, j, before) > 0
+        # an angle below pi is what two half planes share, one above pi is all that either holds
         if not ((past_after or ahead_of_before) if reflex[c, i] else (past_after and ahead_of_before)):
             return False
     return True
@@ -56,22 +58,25 @@ def find_pairs(points, most):
     Gives up as soon as there are more than ``most``.
     """
     n = points.shape[1]
+    # one curve, its coordinates in columns: the turns of the innermost loop are where the time goes
     single, x, y = points.shape[0] == 1, points[0, :, 0].copy(), points[0, :, 1].copy()
     reflex = _reflex(points)
     first, last = np.zeros(n, np.int64), np.zeros(n, np.int64)
     ends = np.empty(8 * n, np.int32)
     size = 0
+    # marked by i, so that neither has to be cleared for the next one
     decided_for, holds = np.full(n, -1, np.int64), np.zeros(n, np.bool_)
     for i in range(n - 2, -1, -1):
         first[i] = size
         decided_for[i + 1], holds[i + 1] = i, True
         farthest = i + 1
-        for k in range(i + 1, n):
+        for k in range(i + 1, n):  # (i, k) is decided by now, as all its apexes are smaller than k
             if k > farthest:
                 break
             if decided_for[k] != i or not holds[k]:
                 continue
             if size == ends.size:
+                # twice as long each time, so that moving costs O(1) an entry in all
                 ends = np.concatenate((ends, np.empty_like(ends)))
             ends[size] = k
             size += 1
@@ -80,15 +85,16 @@ def find_pairs(points, most):
                 if decided_for[j] == i:
                     continue
                 if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else _left_turn(points, i, k, j):
+                    # the last edge of the curve leaves through no interior angle: it bounds two
                     is_edge = i == 0 and j == n - 1
-                    decided_for[j] = i
+                    decided_for[j] = i  # either way: which k found the pair does not matter
                     holds[j] = is_edge or (
                         _leaves_inwards(points, reflex, i, j) and _leaves_inwards(points, reflex, j, i)
                     )
                     if holds[j]:
                         farthest = max(farthest, j)
         last[i] = size
-        if size > most:
+        if size > most:  # the caller sees it by the length of ends
             break
     return first, last, ends[:size].copy()
 
@@ -96,7 +102,7 @@ def find_pairs(points, most):
 @njit(cache=True)
 def find_pair(first, last, ends, i, j):
     """The place of pair (i, j) in the table, -1 where it does not hold."""
-    low, high = first[i], last[i]
+    low, high = first[i], last[i]  # rows are ascending
     while low < high:
         middle = (low + high) // 2
         if ends[middle] < j:
@@ -113,10 +119,10 @@ def walk(points, first, last, ends, n, take_last):
     stack = [(np.int64(0), np.int64(n - 1))]
     for t in range(n - 2):
         i, j = stack.pop()
-        while j == i + 1:
+        while j == i + 1:  # an edge of the curve; n - 2 triangles in all, so the stack is not empty yet
             i, j = stack.pop()
         low, high = first[i], last[i]
-        for step in range(high - low):
+        for step in range(high - low):  # ends at a break: a pair that holds has a split
             k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
             if k < j and find_pair(first, last, ends, k, j) >= 0 and _left_turn(points, i, k, j):
                 break
@@ -133,11 +139,12 @@ def needed_pairs(points, first, last, ends, pairs):
     needed = np.zeros(len(pairs), np.bool_)
     needed[find_pair(first, last, ends, 0, n - 1)] = True
     total = 0
+    # rows of larger i come first, and rows ascend: (i, k) and (k, j) stand before (i, j)
     for pair in range(len(pairs) - 1, -1, -1):
         i, j = pairs[pair]
         if not needed[pair]:
             continue
-        for left in range(first[i], pair):
+        for left in range(first[i], pair):  # the part of row i where k < j
             k = ends[left]
             right = find_pair(first, last, ends, k, j)
             if right >= 0 and _left_turn(points, i, k, j):
@@ -150,6 +157,7 @@ def needed_pairs(points, first, last, ends, pairs):
 def list_splits(points, first, last, ends, pairs, needed, total):
     """List the splits of every needed pair, by ascending apex."""
     splits = np.zeros(len(pairs) + 1, np.int64)
+    # counted before, as lists that grow would need twice the memory where it is scarcest
     apex, lefts, rights = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.int32)
     size = 0
     for pair in range(len(pairs)):
@@ -161,7 +169,7 @@ def list_splits(points, first, last, ends, pairs, needed, total):
                 if right >= 0 and _left_turn(points, i, k, j):
                     apex[size], lefts[size], rights[size] = k, left, right
                     size += 1
-        splits[pair + 1] = size
+        splits[pair + 1] = size  # a pair that is not needed has no splits, like an edge of the curve
     return splits, apex, lefts, rights
 
 
@@ -169,11 +177,13 @@ def list_splits(points, first, last, ends, pairs, needed, total):
 def count_in_floats(first, left, right):
     """Count the triangulations of every pair as mantissa * 2**exponent."""
     pairs = first.size - 1
+    # an edge of the curve counts once, as 0.5 * 2**1
     mantissas, exponents = np.full(pairs, 0.5), np.ones(pairs, np.int64)
     for pair in range(pairs):
         low, high = first[pair], first[pair + 1]
         if low == high:
             continue
+        # in units of the largest term: none overflows, and one that underflows is far below rounding
         top = exponents[left[low]] + exponents[right[low]]
         for s in range(low + 1, high):
             top = max(top, exponents[left[s]] + exponents[right[s]])
@@ -191,7 +201,7 @@ def draw(whole, first, apex, left, right, ends, mantissas, exponents, uniforms):
     """Walk down from the whole curve once for every row of uniform numbers, one number a triangle."""
     samples, triangles_each = uniforms.shape
     triangles = np.empty((samples, triangles_each, 3), np.int64)
-    stack = np.empty(2 * triangles_each + 2, np.int64)
+    stack = np.empty(2 * triangles_each + 2, np.int64)  # two pairs a triangle, and the first
     for row in range(samples):
         stack[0], size, t = whole, 1, 0
         while size > 0:
@@ -199,8 +209,9 @@ def draw(whole, first, apex, left, right, ends, mantissas, exponents, uniforms):
             pair = stack[size]
             if first[pair] == first[pair + 1]:
                 continue
+            # a share of the pair's count, and its terms, in units of 2**exponents[pair]: of ordinary size
             rest = uniforms[row, t] * mantissas[pair]
-            s = first[pair]
+            s = first[pair]  # rounding may leave a rest at the end: then s stays at the last split
             for s in range(first[pair], first[pair + 1]):
                 shift = exponents[left[s]] + exponents[right[s]] - exponents[pair]
                 rest -= math.ldexp(mantissas[left[s]] * mantissas[right[s]], shift)
@@ -218,14 +229,15 @@ def best_splits(first, left, right, costs, largest_counts):
     """The first split of least cost of every pair; -1 where it has none."""
     pairs = first.size - 1
     value, best = np.zeros(pairs), np.full(pairs, -1, np.int64)
-    if largest_counts:
+    if largest_counts:  # an edge of the curve must not count: 0 in a sum, -inf in a maximum
         value[:] = -np.inf
-    for pair in range(pairs):
+    for pair in range(pairs):  # children have smaller numbers, so their values are final
         for s in range(first[pair], first[pair + 1]):
             if largest_counts:
                 total = max(costs[s], value[left[s]], value[right[s]])
             else:
                 total = costs[s] + value[left[s]] + value[right[s]]
+            # strictly less, so the first one is kept in a tie; and some split is taken even if all cost infinitely much
             if best[pair] < 0 or total < value[pair]:
                 best[pair], value[pair] = s, total
     return best
@@ -241,7 +253,7 @@ def follow(whole, ends, apex, left, right, best, count):
         size -= 1
         pair = stack[size]
         s = best[pair]
-        if s >= 0:
+        if s >= 0:  # else an edge of the curve
             chosen[t] = ends[pair, 0], apex[s], ends[pair, 1]
             t += 1
             stack[size], stack[size + 1] = right[s], left[s]
@@ -259,7 +271,7 @@ def _delaunay_sign(points, a, b, c, d):
     sign = in_circumcircle(points, a, b, c, d)
     if sign != 0:
         return sign
-    first = min(a, b, c, d)
+    first = min(a, b, c, d)  # its lift is infinitely much larger than the next one's, so its sign alone counts
     if first == a:
         return turn(points, b, c, d)
     if first == b:
@@ -277,6 +289,7 @@ def delaunay_splits(points, ends, first, apex, left, right):
         i, j = ends[pair]
         for s in range(first[pair], first[pair + 1]):
             counts[s] = _beyond(points, ends, first, apex, counts, left[s], j)
+            # what is left of the apex and what is right of it can be chosen independently
             if counts[s] > 0:
                 counts[s] *= _beyond(points, ends, first, apex, counts, right[s], i)
     return counts
@@ -285,11 +298,12 @@ def delaunay_splits(points, ends, first, apex, left, right):
 @njit(cache=True)
 def _beyond(points, ends, first, apex, counts, pair, opposite):
     """How many all-Delaunay triangulations of a pair agree with the vertex opposite across it."""
-    if first[pair] == first[pair + 1]:
+    if first[pair] == first[pair + 1]:  # an edge of the curve has nothing beyond it
         return 1
     i, j = ends[pair]
     total = 0
     for s in range(first[pair], first[pair + 1]):
+        # i, apex, j is counter-clockwise: positive would be inside its circle
         if counts[s] > 0 and _delaunay_sign(points, i, apex[s], j, opposite) <= 0:
             total += counts[s]
     return total
@@ -301,7 +315,7 @@ def delaunay_triangles(points, ends, first, apex, left, right, counts, whole, nu
     n = points.shape[0]
     triangles = np.empty((n - 2, 3), np.int64)
     pairs, opposites, ranks = np.empty(2 * n, np.int64), np.empty(2 * n, np.int64), np.empty(2 * n, np.int64)
-    pairs[0], opposites[0], ranks[0] = whole, -1, number
+    pairs[0], opposites[0], ranks[0] = whole, -1, number  # nothing lies beyond the whole curve
     size, t = 1, 0
     while size > 0:
         size -= 1
@@ -310,7 +324,7 @@ def delaunay_triangles(points, ends, first, apex, left, right, counts, whole, nu
             continue
         i, j = ends[pair]
         s = first[pair]
-        while True:
+        while True:  # a rank is below the number of choices, so one of the splits takes it
             if counts[s] > 0 and (opposite < 0 or _delaunay_sign(points, i, apex[s], j, opposite) <= 0):
                 if rank < counts[s]:
                     break
@@ -319,6 +333,7 @@ def delaunay_triangles(points, ends, first, apex, left, right, counts, whole, nu
         triangles[t] = i, apex[s], j
         t += 1
         ways = _beyond(points, ends, first, apex, counts, left[s], j)
+        # a number of two digits: the remainder chooses on the left, the quotient on the right
         pairs[size], opposites[size], ranks[size] = right[s], i, rank // ways
         pairs[size + 1], opposites[size + 1], ranks[size + 1] = left[s], j, rank % ways
         size += 2

@@ -20,6 +20,7 @@ from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.measuring.certificate import Certificate, verify
 from tween.measuring.certificate import certify as certificate_of
+from tween.measuring.find_triangles import find_triangles
 from tween.morphing.morph import Morph
 from tween.morphing.strategy import morph as morph_between
 from tween.triangulating.costs import smallest_angle
@@ -149,8 +150,8 @@ def morph(options: argparse.Namespace) -> int:
     write = _writer(options)
     source, target = _ends(options)
     with _stage(options, "matching and morphing"):
-        chosen = {name: getattr(options, name) for name in ("path", "root", "guarantee", "strategy", "shifts")}
-        m = morph_between(source, target, **chosen)
+        words = ("path", "guarantee", "strategy", "placement", "root", "landmarks")
+        m = morph_between(source, target, **{name: getattr(options, name) for name in words})
     certificate = None
     if options.certify:
         with _stage(options, "certifying"):
@@ -194,24 +195,33 @@ def _ends(options: argparse.Namespace) -> tuple[Curve | Triangulation, Curve | T
 
 def _trust(m: Morph, certificate: Certificate | None) -> str:
     if certificate is not None:
-        return "certified" if certificate.valid else "refuted: not every shape bounds an immersed disk"
-    return "safe by construction" if m.proof else "not certified (--certify checks it)"
+        checked = f"checked for every instant of playback at {certificate.frames_checked} frames"
+        return checked if certificate.valid else "refuted: not every shape bounds an immersed disk"
+    return "promised to be valid, not checked (--certify checks it)" if m.proof else "not checked (--certify checks it)"
 
 
 def certify(options: argparse.Namespace) -> int:
-    """Check whether every frame of a file bounds an immersed disk.
+    """Check whether every frame of a file bounds an immersed disk, and every instant of straight motion between them.
 
     Parameters
     ----------
     options : Namespace
-        file, json.
+        file, frames_only, json.
 
     Returns
     -------
     int
         0 where they all do, 1 where not.
     """
-    certificate = verify(*io.read_frames(options.file))
+    frames, triangles, times = io.read_frames(options.file)
+    if triangles is None:
+        try:
+            triangles = find_triangles(frames)
+        except NotSelfOverlappingError as error:
+            facts = {"frames": options.file, "valid": False, "first_failure": str(error)}
+            print(json.dumps(facts) if options.json else f"{options.file}: not valid: {error}")
+            return 1
+    certificate = verify(frames, triangles, times, between=None if options.frames_only else "linear")
     if options.json:
         print(json.dumps({"frames": options.file, **_certificate_facts(certificate)}))
     else:

@@ -1,6 +1,6 @@
 """The command `tween`: its exit statuses, and its words when something is wrong.
 
-Its options are in `options`.  What the commands do is in `commands`, which is imported when one of them
+Its options are in `.options`.  What the commands do is in `.commands`, which is imported when one of them
 is to run, as it imports the kernels.
 """
 

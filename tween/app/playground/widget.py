@@ -1,6 +1,6 @@
 """A playground: draw a curve by hand, see whether it bounds an immersed disk, morph it, take it with you.
 
-A widget where there is a front end to show it, a picture elsewhere.  What it does is in `sketch`; its
+A widget where there is a front end to show it, a picture elsewhere.  What it does is in `.sketch`; its
 face, in static/, computes nothing but where the pointer is.
 """
 
@@ -95,7 +95,7 @@ class Picture:
 
     def __repr__(self) -> str:
         if self._missing:
-            remedy = f"it needs {' and '.join(self._missing)}: pip install 'tween[playground]'"
+            remedy = f"it needs {' and '.join(self._missing)}: pip install '.[playground]' in the project's folder"
         else:
             remedy = "it needs a front end: open the notebook in JupyterLab, and run the cell"
         return (
@@ -107,7 +107,7 @@ class Picture:
         """The morph, side by side, from left to right."""
         if self.sketch.morph is None:
             return None
-        shown = record(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False, one_scale=False)
+        shown = record(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False)
         strip = Image.new("RGB", (_PICTURES * _SIZE, _SIZE), "white")
         for k in range(_PICTURES):
             strip.paste(pixels.picture(shown, k), (k * _SIZE, 0))

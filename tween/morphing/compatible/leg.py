@@ -1,7 +1,7 @@
 """Motion between compatible triangulations (Section 5), all times at once.
 
 The root triangle moves as a whole; every other triangle hangs on its base, the edge it shares with
-its parent, and moves its third vertex along a path (`paths`).  Points are complex numbers here.
+its parent, and moves its third vertex along a path (`.paths`).  Points are complex numbers here.
 
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
@@ -16,17 +16,23 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_bounds import largest_angles
+from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds, within_budgets
 from tween.morphing.compatible.angle_budgets import (
-    Budgets,
+    default_reserve,
     keep_to_budget,
-    measured_budgets,
+    left_over,
     no_budgets,
     proved_budgets,
 )
-from tween.morphing.compatible.paths import area_apex, base_angles, corner_angles, third_vertices
+from tween.morphing.compatible.area_bounds import area_bounds, area_third, largest_sums
+from tween.morphing.compatible.area_twists import AreaPath, kept_below_full_turn, straight_area_path
+from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, first_doubt
+from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
 
 _THINNEST = 2.0**-60
+_ROUNDING = 2.0**-48  # relative, of lengths
+_MARGIN = 1e-9  # radians below 2 pi that a proof leaves where the ends allow it
+_SHORTEST = 1.0 / 512.0  # of the intervals in which sums along "area" are looked at
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
 
@@ -39,11 +45,13 @@ class Leg:
     target : ndarray of float64, shape (n, 2)
         Points of the target; its triangles are the source's.
     path : str
-        See `paths`.
+        See `.paths`.
     root : int
         Number of the root triangle.
     guarantee : bool
-        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `angle_budgets`.
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.angle_budgets`.
+    reserve : ndarray of float64, shape (2, n), optional
+        What budgets leave untouched at both ends, see `default_reserve`.
 
     Notes
     -----
@@ -56,7 +64,13 @@ class Leg:
     """
 
     def __init__(
-        self, source: Triangulation, target: NDArray[np.float64], path: Path, root: int, guarantee: bool = False
+        self,
+        source: Triangulation,
+        target: NDArray[np.float64],
+        path: Path,
+        root: int,
+        guarantee: bool = False,
+        reserve: NDArray[np.float64] | None = None,
     ) -> None:
         self.source, self.target = source, target
         self._path, self._tree = path, rooted(source, root)
@@ -65,9 +79,13 @@ class Leg:
         self._thirds = _third(self._start), _third(self._end)
         self._propagates = _propagates(source.twin, self._tree)
         self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
-        self._areas = _areas(self._start, self._end) if path == "area" else np.empty((0, 6))
+        self._angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
+        self.area_path = straight_area_path(_areas(self._start, self._end), *self._angles)
+        self._children = self._places_of_children()
         self._centres = self._start[0].mean(), self._end[0].mean()
-        self.budgets = self._needed_budgets() if guarantee else no_budgets(len(self._corners))
+        self.budgets = no_budgets(len(self._corners))
+        if guarantee:
+            self._give_budgets(reserve)
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lay out the triangles of all times, the root first and each child on its base.
@@ -82,41 +100,144 @@ class Leg:
         ndarray of float64, shape (k, n, 2)
             At times 0 and 1 exactly the source and the target.
         """
-        laid, _ = self._lay_out(t, self.budgets)
+        laid, _ = self._lay_out(t, self.area_path)
         shapes: NDArray[np.float64] = _placed(
             laid, self._corners[0], *self._centres, t, self.source.points, self.target
         )
         return shapes
 
-    def _needed_budgets(self) -> Budgets:
-        angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
+    def first_doubt(
+        self, placing: Placing, stop: float = 1.0, ends: tuple[bool, bool] = (True, True)
+    ) -> Doubt | tuple[float, float]:
+        """Prove that the shapes are valid in doubles, or tell where that fails; see `layout_errors`.
+
+        Parameters
+        ----------
+        placing : Placing
+        stop : float
+            Shapes are looked at from time 0 to there.
+        ends : (bool, bool)
+            Whether the source, and the target, may serve for times close to them.
+
+        Returns
+        -------
+        Doubt, or (float, float)
+            The first one; or the times up to which the source, and from which on the target, is to be shown instead.
+        """
+        width = min(np.ptp(points, axis=0).max() for points in (self.source.points, self.target))
+        offset = max(np.abs(points).max() for points in (self.source.points, self.target))
+
+        def moves(start: float, end: float) -> float:
+            before, after = self.at(np.array([start, end]))
+            return float(np.abs(after - before).max() / width)
+
+        placing = placing._replace(offset=max(placing.offset, offset))
+        return first_doubt(self._layout, self._corners, self._children, placing, moves, stop, ends)
+
+    def _places_of_children(self) -> NDArray[np.int64]:
+        """Places in tree order of the triangles across bc, ca and ab (of the root only); -1 for none."""
+        place = np.empty(len(self._corners), np.int64)
+        place[self._tree.order] = np.arange(len(place))
+        slots = (self._tree.base[self._tree.order, None] + np.array([1, 2, 0])) % 3
+        across = self.source.twin[self._tree.order[:, None], slots]
+        children = np.where(across >= 0, place[across // 3], -1)
+        children[1:, 2] = -1
+        return children
+
+    def _give_budgets(self, reserve: NDArray[np.float64] | None) -> None:
+        """Find who needs a budget, and what every vertex is then proved to have left, at both ends, shape (2, n)."""
+        left = np.stack([left_over(self._corners, a) for a in self._angles])
+        self._slack = left
         if self._path == "area":
-            return measured_budgets(self._corners, *angles, self._angles_at)
-        return proved_budgets(self._corners, *angles, self._largest_angles)
+            self.area_path = kept_below_full_turn(
+                self.area_path,
+                self._corners,
+                left,
+                self._angles_at,
+                lambda path: self._doubtful(path, left.min(axis=0)),
+            )
+        elif self._path != "angle":
+            kept = np.minimum(left, default_reserve(self._corners, *self._angles) if reserve is None else reserve)
+            self.budgets, proved = proved_budgets(self._corners, *self._angles, self._largest_angles, kept)
+            self._slack = np.where(proved > 0, proved, kept)
+
+    def _doubtful(self, path: AreaPath, left: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """The vertices whose angles along the path "area" are not proved to stay below 2 pi."""
+        starts, stops = np.linspace(0.0, 1.0, 17)[:-1], np.linspace(0.0, 1.0, 17)[1:]
+        margin = np.minimum(_MARGIN, 0.5 * left)[:, None]
+        while True:
+            knots = np.unique([starts, stops])
+            bad = ~(self._layout_by_area(knots, path).slack[:, np.searchsorted(knots, starts)] > margin)
+            again = bad.any(axis=0)
+            if not again.any() or (stops - starts)[again].min() < _SHORTEST:
+                return np.asarray(bad.any(axis=1))
+            cuts = np.linspace(starts[again], stops[again], 5)
+            starts, stops = cuts[:-1].T.ravel(), cuts[1:].T.ravel()
+
+    def _layout_by_area(self, t: NDArray[np.float64], path: AreaPath) -> Layout:
+        """What is known of the motion along "area" between neighbouring times."""
+        _, z = self._lay_out(t, path)
+        root = np.abs(_root_base(self._start[0], self._end[0], False, t))
+        low, high, slow, fast, near, far = area_bounds(self._children, z, root, t, *path)
+        sums = largest_sums(self._corners, np.asarray(corner_angles(z)), high, slow, fast, t)
+        return Layout(low, high, near, far, 2 * np.pi - sums)
+
+    def _layout(self, t: NDArray[np.float64]) -> Layout:
+        """What is known of the motion between neighbouring times."""
+        if self._path == "area":
+            return self._layout_by_area(t, self.area_path)
+        slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
+        slack = np.minimum(slack[:-1], slack[1:]).T.copy()
+        low, high = angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
+        rows = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
+        within_budgets(low, high, rows, *self.budgets, t)
+        return Layout(low, high, *self._base_lengths(t, None if len(rows) else self._path), slack)
+
+    def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
+        """Bounds of the lengths of bases between neighbouring times, nan where they are to be carried down the tree."""
+        lengths = np.full((len(self._corners), len(t)), np.nan)
+        rows = slice(None) if path == "metric" else slice(0, 1)
+        ends = [np.abs(corners[rows, 1] - corners[rows, 0])[:, None] for corners in (self._start, self._end)]
+        if self._path == "metric":
+            lengths[rows] = np.hypot(np.sqrt(1 - t) * ends[0], np.sqrt(t) * ends[1])
+        else:
+            lengths[rows] = (1 - t) * ends[0] + t * ends[1]
+        least, greatest = np.minimum(lengths[:, :-1], lengths[:, 1:]), np.maximum(lengths[:, :-1], lengths[:, 1:])
+        return least * (1 - _ROUNDING), greatest * (1 + _ROUNDING)
 
     def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
         source, target = (z[rows] for z in self._thirds)
-        return largest_angles(self._path, source, target, self._propagates[rows], self._stretch[rows], t)
+        return angle_bounds(self._path, source, target, self._propagates[rows], self._stretch[rows], t)[1]
 
-    def _angles_at(self, t: NDArray[np.float64], budgets: Budgets) -> NDArray[np.float64]:
-        """Angles at a, b, c of every triangle in tree order, (m, 3, k)."""
-        _, z = self._lay_out(t, budgets)
-        return np.asarray(corner_angles(z))
+    def _angles_at(self, t: NDArray[np.float64], path: AreaPath) -> NDArray[np.float64]:
+        """Angles at a, b, c of every triangle in tree order along the path "area", (m, 3, k)."""
+        return np.asarray(corner_angles(self._lay_out(t, path)[1]))
 
-    def _lay_out(
-        self, t: NDArray[np.float64], budgets: Budgets
-    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    def _lay_out(self, t: NDArray[np.float64], path: AreaPath) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         by_area = self._path == "area"
         if by_area:
             z = np.empty((len(self._corners), len(t)), np.complex128)
         else:
             z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
         e = _root_base(self._start[0], self._end[0], self._path == "metric", t)
-        shapes = _hang(
-            self._corners, self._tree.base, self._tree.order, self.source.twin, z, e, t, by_area, self._areas, *budgets
-        )
+        shapes = _hang(self._corners, self._children, z, e, t, by_area, path, self.budgets)
         return shapes, z
+
+
+def left_below_full_turn(T: Triangulation) -> NDArray[np.float64]:
+    """What every vertex has left below 2 pi.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Radians.
+    """
+    return left_over(T.triangles, base_angles(_third(_complex(T.points)[T.triangles])))
 
 
 def root_triangle(root: str | int, *shapes: Triangulation) -> int:
@@ -175,15 +296,8 @@ def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
 
 
 def _areas(start: NDArray[np.complex128], end: NDArray[np.complex128]) -> NDArray[np.float64]:
-    """Twice the area, and pi plus and minus the difference of the angles at the base, each at both ends; (m, 6)."""
-    columns = []
-    for corners in (start, end):
-        columns.append(np.abs(corners[:, 1] - corners[:, 0]) ** 2 * _third(corners).imag)
-    for s in (0, 1):
-        for corners in (start, end):
-            angles = base_angles(_third(corners))
-            columns.append(2 * angles[:, s] + angles[:, 2])
-    return np.stack(columns, axis=1)
+    """Twice the area at both ends, shape (m, 2)."""
+    return np.stack([np.abs(c[:, 1] - c[:, 0]) ** 2 * _third(c).imag for c in (start, end)], axis=1)
 
 
 @njit(cache=True)
@@ -192,7 +306,7 @@ def _placed(laid, root, first_centre, last_centre, t, source, target):
     n, k = laid.shape
     shapes = np.empty((k, n, 2))
     for f in range(k):
-        if t[f] == 0.0:
+        if t[f] == 0.0:  # the ends are the input to the last bit, free of what the layout rounds
             shapes[f] = source
         elif t[f] == 1.0:
             shapes[f] = target
@@ -210,6 +324,7 @@ def _root_base(source, target, by_squares, t):
     """The base of the root, b - a, at every time."""
     e1, e2 = source[1] - source[0], target[1] - target[0]
     turn = cmath.phase(e2 / e1)
+    # near half a turn rounding would choose the direction, and perhaps the same one for the reversed morph
     if abs(abs(turn) - math.pi) < _HALF_TURN:
         apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
         way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
@@ -217,7 +332,7 @@ def _root_base(source, target, by_squares, t):
             turn += 2.0 * math.pi * way
     e = np.empty(t.size, np.complex128)
     for f in range(t.size):
-        if by_squares:
+        if by_squares:  # along "metric" the root is no exception: all its edges have linear squares
             length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
         else:
             length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
@@ -226,41 +341,33 @@ def _root_base(source, target, by_squares, t):
 
 
 @njit(cache=True)
-def _hang(corners, base, order, twin, z, root_base, t, by_area, areas, first, last, low, high, sides):
-    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area and kept to the budgets."""
+def _hang(corners, children, z, root_base, t, by_area, path, budgets):
+    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area or kept to the budgets."""
     m, k = z.shape
-    place = np.empty(m, np.int64)
-    for i in range(m):
-        place[order[i]] = i
+    areas, above, below, blend, plain_first, plain_last = path
+    first, last, low, high = budgets
     shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
     bases[0] = root_base
     shapes[corners[0, 0]] = 0.0
     shapes[corners[0, 1]] = root_base
-    for i in range(m):
-        node = order[i]
+    for i in range(m):  # parents come first: the base of i, and its ends, are known by now
         if by_area:
             for f in range(k):
-                double_area = (1 - t[f]) * areas[i, 0] + t[f] * areas[i, 1]
-                length = abs(bases[i, f])
-                above = (1 - t[f]) * areas[i, 2] + t[f] * areas[i, 3]
-                below = (1 - t[f]) * areas[i, 4] + t[f] * areas[i, 5]
-                z[i, f] = area_apex(double_area / (length * length), above, below)
-        if np.isfinite(low[i]).any():
+                square = bases[i, f].real ** 2 + bases[i, f].imag ** 2
+                z[i, f] = area_third(i, square, t[f], areas, above, below, blend, plain_first, plain_last)
+        elif np.isfinite(low[i]).any():  # the others keep their bits
             for f in range(k):
-                z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i], sides[i], by_area)
+                z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i])
         a, c = corners[i, 0], corners[i, 2]
         for f in range(k):  # array expressions would make an array each
             shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
-        across_ab, across_bc = twin[node, base[node] % 3], twin[node, (base[node] + 1) % 3]
-        across_ca = twin[node, (base[node] + 2) % 3]
-        if across_ca >= 0:
-            child = place[across_ca // 3]
-            for f in range(k):
-                bases[child, f] = z[i, f] * bases[i, f]
+        across_bc, across_ca, across_ab = children[i]
         if across_bc >= 0:
-            child = place[across_bc // 3]
             for f in range(k):
-                bases[child, f] = (1.0 - z[i, f]) * bases[i, f]
-        if i == 0 and across_ab >= 0:
-            bases[place[across_ab // 3]] = -bases[0]
+                bases[across_bc, f] = (1.0 - z[i, f]) * bases[i, f]
+        if across_ca >= 0:
+            for f in range(k):
+                bases[across_ca, f] = z[i, f] * bases[i, f]
+        if across_ab >= 0:
+            bases[across_ab] = -bases[0]
     return shapes

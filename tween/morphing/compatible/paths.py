@@ -90,11 +90,11 @@ def third_vertices(
     Mukherjee and Gopi, Section 5 and Figure 7.
     """
     if path == "linear":
-        return source[:, None] + times * (target - source)[:, None]
+        return (1 - times) * source[:, None] + times * target[:, None]
     if path == "slide":
         return _slide(source, target, propagates, times)
     if path == "angle":
-        return _by_angles(source, target, times)
+        return np.asarray(_apexes(base_angles(source), base_angles(target), times))
     if path == "metric":
         return _by_metric(source, target, stretch, times)
     raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
@@ -113,7 +113,7 @@ def base_angles(z: NDArray[np.complex128]) -> NDArray[np.float64]:
     ndarray of float64, shape (m, 3)
         Radians.
     """
-    return np.stack([np.angle(z), -np.angle(1 - z), np.angle((z - 1) / z)], axis=1)
+    return np.asarray(corner_angles(z[:, None]))[..., 0]
 
 
 @njit(cache=True)
@@ -123,17 +123,38 @@ def corner_angles(z):
     for i in range(z.shape[0]):
         for f in range(z.shape[1]):
             x, y = z[i, f].real, z[i, f].imag
-            a, b = math.atan2(y, x), math.atan2(y, 1.0 - x)
-            angles[i, 0, f], angles[i, 1, f], angles[i, 2, f] = a, b, math.pi - a - b
+            angles[i, 0, f], angles[i, 1, f] = math.atan2(y, x), math.atan2(y, 1.0 - x)
+            angles[i, 2, f] = third_angle(x, y)
     return angles
 
 
-def _by_angles(
-    source: NDArray[np.complex128], target: NDArray[np.complex128], times: NDArray[np.float64]
-) -> NDArray[np.complex128]:
-    first, second = base_angles(source), base_angles(target)
-    a, b, c = ((1 - times) * first[:, i, None] + times * second[:, i, None] for i in range(3))
-    return np.sin(b) / np.sin(c) * np.exp(1j * a)
+@njit(cache=True)
+def third_angle(x, y):
+    """The angle at the third vertex x + iy over the base from 0 to 1, precise however small it is."""
+    return math.atan2(y, x * (x - 1.0) + y * y)
+
+
+@njit(cache=True)
+def apex(a, b, c):
+    """The third vertex from the angles at 0, at 1 and at itself.
+
+    They add up to pi but for rounding; the sine of an angle near pi is taken from the other two, which are precise.
+    """
+    radius = math.sin(b if b < 1.5 else a + c) / math.sin(c if c < 1.5 else a + b)
+    return complex(radius * math.cos(a), radius * math.sin(a if a < 1.5 else b + c))
+
+
+@njit(cache=True)
+def _apexes(first, last, times):
+    """Third vertices, (m, k), of triangles whose angles, (m, 3), change linearly."""
+    z = np.empty((len(first), times.size), np.complex128)
+    for i in range(len(first)):
+        for f in range(times.size):
+            s, t = 1.0 - times[f], times[f]
+            z[i, f] = apex(
+                s * first[i, 0] + t * last[i, 0], s * first[i, 1] + t * last[i, 1], s * first[i, 2] + t * last[i, 2]
+            )
+    return z
 
 
 def _by_metric(
@@ -149,8 +170,7 @@ def _by_metric(
     real parts: positive, and free of cancellation.
     """
     weight = times * (stretch**2)[:, None]
-    q = weight / (1 - times + weight)
-    p = 1 - q
+    p, q = (1 - times) / (1 - times + weight), weight / (1 - times + weight)
     x1, y1, x2, y2 = (part[:, None] for part in (source.real, source.imag, target.real, target.imag))
     return p * x1 + q * x2 + 1j * np.sqrt(p * y1**2 + q * y2**2 + p * q * (x1 - x2) ** 2)
 
@@ -163,12 +183,21 @@ def area_apex(height, above, below):
     triangle is flat.  The foot is 1/2 + w with tan d = -2 h w / (1/4 - w**2 + h**2); of the two solutions that for
     which d has the sign of the larger angle, written so that nothing cancels.
     """
+    # sine and cosine of d, by way of the smaller angle: where d is near pi or -pi, d itself has lost its digits
     s, c = (math.sin(below), -math.cos(below)) if below < above else (-math.sin(above), -math.cos(above))
     if abs(s) < _FLATTEST:
-        s = math.copysign(_FLATTEST, above - below)
+        s = math.copysign(_FLATTEST, above - below)  # the sign of d: on which side the foot is far out
     root = math.sqrt(height * height + 0.25 * s * s)
+    # the same root in two forms; each is used where it adds numbers of one sign
     w = -s * (height * height + 0.25) / (height * c + root) if c > 0.0 else (height * c - root) / s
     return complex(0.5 + w, height)
+
+
+@njit(cache=True)
+def bernstein(c, t):
+    """The cubic with four coefficients in Bernstein form; of positive ones it is precise, however small."""
+    s = 1.0 - t
+    return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3])
 
 
 def slides(
@@ -197,6 +226,7 @@ def slides(
 def path_lengths(source, target, propagates):
     """Lengths, (m,), of the paths of "slide" over the base from 0 to 1; along each the speed is constant."""
     lengths = np.empty(source.size)
+    # one path at a time, so this scratch serves all
     p, q, ends = np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES, np.complex128), np.empty(_MOST_PIECES)
     for m in range(source.size):
         pieces = _outline(source[m], target[m], propagates[m, 0], propagates[m, 1], p, q, ends)
@@ -212,9 +242,9 @@ def _inside_circle(z1, z2, end):
     step = z2 - z1
     foot = ((end - z1) * step.conjugate()).real
     length = step.real * step.real + step.imag * step.imag
-    if foot <= 0.0 or foot >= length:
+    if foot <= 0.0 or foot >= length:  # the nearest point of the line is not between z1 and z2
         return 1.0, 0.0
-    foot /= length
+    foot /= length  # the middle of the chord, of which the nearer one of z1 and z2 is an end
     if abs(z1 - end) <= abs(z2 - end):
         return 0.0, min(1.0, 2.0 * foot)
     return max(0.0, 2.0 * foot - 1.0), 1.0
@@ -231,6 +261,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
             b0, b1 = 1.0, 0.0
         elif b0 <= a0 and a1 <= b1:
             a0, a1 = 1.0, 0.0
+    # s and end: the first arc; r and other: the second one, s0 >= s1 or r0 >= r1 where there is none
     zero_first = b1 <= b0 or (a1 > a0 and a0 < b0)
     s0, s1, end = (a0, a1, 0.0) if zero_first else (b0, b1, 1.0)
     r0, r1, other = (b0, b1, 1.0) if zero_first else (a0, a1, 0.0)
@@ -244,7 +275,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
         return 3
     p[2], q[2], ends[2] = q[1], z1 + r0 * step, _LINE
     p[3], q[3], ends[3] = q[2], z1 + r1 * step, other
-    if r0 < s1:
+    if r0 < s1:  # the chords overlap: from one circle to the other where they meet, and piece 2 has no length
         q[1] = p[2] = q[2] = p[3] = (
             _circles_meet(abs(p[1] - 0.0), abs(q[3] - 1.0))
             if zero_first
@@ -257,6 +288,7 @@ def _outline(z1, z2, to_zero, to_one, p, q, ends):
 @njit(cache=True)
 def _circles_meet(about_zero, about_one):
     """The point of the upper half plane at given distances from 0 and 1."""
+    # the difference of the two equations is linear; circles that touch may miss each other by rounding
     x = 0.5 * (about_zero**2 - about_one**2 + 1.0)
     return complex(x, math.sqrt(max(0.0, about_zero**2 - x * x)))
 
@@ -270,13 +302,14 @@ def _angle(z):
 def _piece_length(p, q, end):
     if end == _LINE:
         return abs(q - p)
+    # both in the upper half plane, and so is the arc: the difference is its angle, never 2 pi minus it
     return abs(p - end) * abs(_angle(q - end) - _angle(p - end))
 
 
 @njit(cache=True)
 def _along_piece(p, q, end, share):
     if end == _LINE:
-        return p + share * (q - p)
+        return (1.0 - share) * p + share * q
     start = _angle(p - end)
     angle = start + share * (_angle(q - end) - start)
     radius = abs(p - end)
@@ -292,7 +325,7 @@ def _slide(source, target, propagates, times):
         pieces = _outline(source[m], target[m], propagates[m, 0], propagates[m, 1], p, q, ends)
         if pieces == 1:
             for f in range(times.size):
-                z[m, f] = source[m] + times[f] * (target[m] - source[m])
+                z[m, f] = (1.0 - times[f]) * source[m] + times[f] * target[m]
             continue
         for i in range(pieces):
             lengths[i] = _piece_length(p[i], q[i], ends[i])
@@ -303,6 +336,7 @@ def _slide(source, target, propagates, times):
             while i < pieces - 1 and rest > lengths[i]:
                 rest -= lengths[i]
                 i += 1
+            # rounding may leave a rest beyond the last piece, or a piece have no length
             share = rest / lengths[i] if lengths[i] > 0.0 else 0.0
             z[m, f] = _along_piece(p[i], q[i], ends[i], min(1.0, share))
     return z

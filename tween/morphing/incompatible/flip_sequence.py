@@ -161,7 +161,7 @@ def flip_sequence(source: Triangulation, target: Triangulation) -> FlipSequence:
 @njit(cache=True)
 def _cross(a, b, c, d):
     """Whether chord ab crosses chord cd."""
-    low, high = min(a, b), max(a, b)
+    low, high = min(a, b), max(a, b)  # strictly on both sides: chords that share an end do not cross
     return (low < c < high) != (low < d < high) and c != low and c != high and d != low and d != high
 
 
@@ -171,16 +171,17 @@ def _best_flip(triangles, twin, counts, p, q):
 
     Only those count that cross the chord pq and whose flip does not; where p < 0, all count.
     """
-    best, most = -1, -counts.size
+    best, most = -1, -counts.size  # fewer than any flip removes
     for h in range(twin.size):
         t, s = h // 3, h % 3
         g = twin[t, s]
-        if g < h:
+        if g < h:  # on the curve, or seen from its other half-edge
             continue
         a, b, c = triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
         d = triangles[g // 3, (g + 2) % 3]
         if p >= 0 and (not _cross(p, q, a, b) or _cross(p, q, c, d)):
             continue
+        # counts are crossings with the target, which stays: a flip changes no other term of their sum
         removed = counts[a, b] - counts[c, d]
         if removed > most:
             best, most = h, removed
@@ -190,6 +191,7 @@ def _best_flip(triangles, twin, counts, p, q):
 @njit(cache=True)
 def _insert_all(triangles, twin, wanted, counts):
     """Insert the wanted diagonals one after the other; a row a flip: two rows, out, into."""
+    # each flip removes a crossing or more, so a row for each crossing is enough
     total = 0
     for h in range(twin.size):
         if twin[h // 3, h % 3] > h:
@@ -199,9 +201,10 @@ def _insert_all(triangles, twin, wanted, counts):
     for i in range(len(wanted)):
         while True:
             h, removed = _best_flip(triangles, twin, counts, wanted[i, 0], wanted[i, 1])
+            # what crosses pq next to p has a flip that puts an end at p: so none means that pq is in
             if h < 0:
                 break
-            if removed <= 0:
+            if removed <= 0:  # then some flip elsewhere does remove a crossing (Hanke, Ottmann and Schuierer)
                 h, removed = _best_flip(triangles, twin, counts, -1, -1)
             t, s = h // 3, h % 3
             g = twin[t, s]

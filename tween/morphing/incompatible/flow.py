@@ -7,7 +7,7 @@ shape and the flow of the other to a motion between the two (Figure 10):
     S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
 
 Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
-ab that gives way to cd, as in `flips`.
+ab that gives way to cd, as in `tween.flips`.
 """
 
 import heapq
@@ -21,16 +21,19 @@ from numpy.typing import NDArray
 from tween.choices import Order, Path
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.compatible.angle_budgets import RESERVE
+from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
+from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flip_sequence import FlipSequence
 from tween.triangulating.compatibility import match_rows
-from tween.triangulating.flips import flip_in_place, is_convex, quadrilateral
+from tween.triangulating.flips import flip_in_place, quadrilateral
 
 _SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
 _CHUNK = 16  # steps looked at together
 _SIXTEENTHS = np.arange(1, 17) / 16
 _REFINEMENTS = 5  # each divides the step by 16: times are found to 2e-9
-_SAMPLES = 33  # shapes by which the length of a piece is measured
+_ROOM = 0.02  # radians by which the corners that a flip makes turn at least, unless the disk has too little
 
 
 class Event(NamedTuple):
@@ -76,6 +79,11 @@ class Piece(NamedTuple):
         ndarray of float64, shape (k, n, 2)
         """
         return self.leg.at(self.start + share * (self.stop - self.start))
+
+    def shape(self, end: int) -> NDArray[np.float64]:
+        """Return the first shape, for end 0, or the last one; to the last bit that of the piece beside it."""
+        at = (self.start, self.stop)[end]
+        return self.leg.at(np.array([at]))[0]
 
     def reversed(self) -> "Piece":
         """Run the same part backwards.
@@ -141,6 +149,7 @@ class Flow:
             tuple(map(tuple, change)) for change in zip(flips.out.tolist(), flips.into.tolist(), strict=True)
         ]
         self.start, self._disk = T, T.on_disk().points
+        self._left = left_below_full_turn(T), left_below_full_turn(T.moved(self._disk))
         self._stages: list[int] = []
         self._waiting = _Waiting(flips, sequential=order == "sequential")
         self.events: list[Event] = []
@@ -159,9 +168,23 @@ class Flow:
         """
         return list(zip(self.events, self._stages, strict=True))
 
+    def reserve(self, tau: float) -> NDArray[np.float64]:
+        """What no vertex ever spends of what it has left below 2 pi, however many flips there are.
+
+        Parameters
+        ----------
+        tau : float
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+        """
+        return RESERVE * ((1.0 - tau) * self._left[0] + tau * self._left[1])
+
     def _move_on(self) -> None:
         """Run to the first time at which a waiting flip is possible, and flip."""
-        leg = Leg(self.final, self._disk, self._path, root_triangle(self._root, self.final), self._guarantee)
+        root, reserve = root_triangle(self._root, self.final), np.stack([self.reserve(self.end), self.reserve(1.0)])
+        leg = Leg(self.final, self._disk, self._path, root, self._guarantee, reserve)
         share, points = self._first_possible(leg)
         if share > 0:
             self.pieces.append(Piece(leg, 0.0, share))
@@ -175,7 +198,8 @@ class Flow:
         while candidates:
             flip = heapq.heappop(candidates)
             h = shared_edge(twin, *self._rows[flip])
-            if is_convex(T.points, triangles, twin, h):
+            quad = np.array([quadrilateral(triangles, twin, h)])
+            if first_convex(T.points[None], quad, self._rooms(quad)) == 0:
                 flip_in_place(triangles, twin, h)
                 self.events.append(Event(self.end, *self._changes[flip]))
                 self._stages.append(len(self.pieces))
@@ -187,12 +211,13 @@ class Flow:
         """The first share of the leg at which a waiting flip is possible, and the shape there."""
         T = leg.source
         quads = _quadrilaterals(T.triangles, T.twin, self._flips.rows[self._waiting.ready()])
+        rooms = self._rooms(quads)
         step = min(1.0, _SCAN / (1 - self.end))
         low, first = 0.0, -1
         while first < 0 and low < 1:
             shares = np.minimum(1.0, low + step * np.arange(1, _CHUNK + 1))
             shapes = leg.at(shares)
-            first = first_convex(shapes, quads)
+            first = first_convex(shapes, quads, rooms)
             if first < 0:
                 low = shares[-1]
         for _ in range(_REFINEMENTS):
@@ -200,8 +225,12 @@ class Flow:
             shares = low + (high - low) * _SIXTEENTHS
             shares[-1] = high
             shapes = leg.at(shares)
-            first = first_convex(shapes, quads)
+            first = first_convex(shapes, quads, rooms)
         return float(shares[first]), shapes[first]
+
+    def _rooms(self, quads: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Tangents of the least turns at a and b, (q, 2); on the disk there is twice that room."""
+        return np.tan(np.minimum(_ROOM, 0.5 * _turns(self._disk, quads)))
 
 
 class _Waiting:
@@ -262,32 +291,23 @@ class Through:
 
     Notes
     -----
-    Time is distributed so that at every moment the vertices move equally fast: the root mean square of
-    their velocities is constant, up to the sampling of each piece at 33 shapes.
+    Time is distributed so that at every moment the vertices move equally fast, see `clock`.
     """
 
     def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int, guarantee: bool = False) -> None:
         end = T.moved(flow.final.points)
-        straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee)
+        spare = np.minimum(0.5 * left_below_full_turn(end), flow.reserve(flow.end))
+        reserve = np.stack([RESERVE * left_below_full_turn(T), spare])
+        straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee, reserve)
         self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
-        starts = self._set_pace()
+        self._clock = Clock([piece.at for piece in self._pieces])
+        starts = self._clock.starts
         rows = match_rows(flow.final.triangles, T.triangles)
         self.stages = [(0.0, T.triangles)]
         for start, piece in zip(starts[1:], self._pieces[1:], strict=False):
             self.stages.append((start, piece.leg.source.triangles[rows]))
         self.stages.append((1.0, flow.start.triangles[rows]))
         self.events = [Event(starts[-1 - stage], e.into, e.out) for e, stage in reversed(flow.events_by_stage())]
-
-    def _set_pace(self) -> list[float]:
-        """Distribute time over the pieces; returns when each begins, and 1."""
-        pieces = self._pieces
-        shares = np.linspace(0.0, 1.0, _SAMPLES)
-        steps = np.concatenate([_steps(piece.at(shares)) for piece in pieces])
-        length = np.concatenate([[0.0], np.cumsum(steps)])
-        self._time = length / length[-1] if length[-1] > 0 else np.linspace(0.0, 1.0, len(length))
-        self._place = np.linspace(0.0, len(pieces), len(length))
-        starts: list[float] = self._time[:: _SAMPLES - 1].tolist()
-        return starts
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the shapes at many times.
@@ -300,30 +320,77 @@ class Through:
         Returns
         -------
         ndarray of float64, shape (k, n, 2)
+            Within 1e-12 of a flip the shape of the flip, which both lists of triangles cover.
         """
-        place = np.interp(t, self._time, self._place)
-        number = np.minimum(place.astype(np.int64), len(self._pieces) - 1)
+        number, share = self._clock.places(t)
         shapes = np.empty((len(t), *self._pieces[0].leg.target.shape))
         for i in np.unique(number):
             here = number == i
-            shapes[here] = self._pieces[i].at(place[here] - i)
+            shapes[here] = self._pieces[i].at(share[here])
         return shapes
 
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        """Prove that all shapes are valid in doubles, or tell where that fails.
 
-def _steps(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Root mean square displacement of the vertices from shape to shape."""
-    moved: NDArray[np.float64] = np.sqrt((np.diff(shapes, axis=0) ** 2).sum(axis=2).mean(axis=1))
-    return moved
+        Parameters
+        ----------
+        placing : Placing
+
+        Returns
+        -------
+        Doubt, or (float, float)
+            In this motion's time.
+        """
+        last, snaps = len(self._pieces) - 1, [0.0, 1.0]
+        for i, (leg, start, stop) in enumerate(self._pieces):
+            found = leg.first_doubt(placing, max(start, stop), (i in (0, last), i == last == 0))
+            when = [self._clock.time(i, (x - start) / (stop - start)) for x in found[:2]]
+            if isinstance(found, Doubt):
+                return found._replace(start=min(when), stop=max(when))
+            if i == 0:
+                snaps[0] = when[0]
+            elif i == last:
+                snaps[1] = when[0]
+            if i == last == 0:
+                snaps[1] = when[1]
+        return snaps[0], snaps[1]
 
 
 @njit(cache=True)
-def first_convex(shapes, quads):
-    """The first of the shapes, (k, n, 2), in which one of the quads, (q, 4), is strictly convex; -1 for none."""
+def first_convex(shapes, quads, rooms):
+    """The first of the shapes, (k, n, 2), in which one of the quads, (q, 4), is convex with room; -1 for none."""
     for f in range(len(shapes)):
-        for a, b, c, d in quads:
-            if turn(shapes[f], d, b, c) > 0 and turn(shapes[f], c, a, d) > 0:
-                return f
+        p = shapes[f]
+        for q in range(len(quads)):
+            a, b, c, d = quads[q]
+            if turn(p, d, b, c) > 0 and turn(p, c, a, d) > 0:
+                if _has_room(p[c], p[a], p[d], rooms[q, 0]) and _has_room(p[d], p[b], p[c], rooms[q, 1]):
+                    return f
     return -1
+
+
+@njit(cache=True)
+def _cross_and_dot(before, here, after):
+    ux, uy, vx, vy = here[0] - before[0], here[1] - before[1], after[0] - here[0], after[1] - here[1]
+    return ux * vy - uy * vx, ux * vx + uy * vy
+
+
+@njit(cache=True)
+def _has_room(before, here, after, tangent):
+    """Whether a way of three points turns left by more than an angle of this tangent."""
+    cross, dot = _cross_and_dot(before, here, after)
+    return cross > 0.0 and cross >= tangent * dot
+
+
+@njit(cache=True)
+def _turns(points, quads):
+    """By how much each quad, (q, 4), turns left at a and at b; (q, 2)."""
+    turns = np.empty((len(quads), 2))
+    for q in range(len(quads)):
+        a, b, c, d = quads[q]
+        turns[q, 0] = np.arctan2(*_cross_and_dot(points[c], points[a], points[d]))
+        turns[q, 1] = np.arctan2(*_cross_and_dot(points[d], points[b], points[c]))
+    return turns
 
 
 @njit(cache=True)
@@ -339,6 +406,6 @@ def _quadrilaterals(triangles, twin, rows):
 def shared_edge(twin, t, u):
     """The half-edge of triangle t across which triangle u lies; -1 where they are no neighbours."""
     for s in range(3):
-        if twin[t, s] // 3 == u:
+        if twin[t, s] // 3 == u:  # -1 // 3 is -1, which is no triangle; in a tree there is one such edge at most
             return 3 * t + s
     return -1

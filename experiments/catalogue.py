@@ -1,0 +1,99 @@
+"""Every study once: its question, what it writes, which figures show it, and how long it takes.
+
+`reproduce` runs the steps in this order; the report, the ledger of claims, the documentation and the tests look up here
+what a step is called, and which one writes a file.
+"""
+
+from typing import NamedTuple
+
+
+class Step(NamedTuple):
+    """A module of this package that computes something: ``python -m experiments.<module>``."""
+
+    module: str
+    title: str
+    results: tuple[str, ...] = ()  # in results/, the one that sums it up first
+    figures: tuple[str, ...] = ()  # in results/figures/, those about this step alone
+    seconds: int = 0  # roughly, on two cores that do nothing else
+
+    @property
+    def name(self) -> str:
+        """The last part of the module's name."""
+        return self.module.rpartition(".")[2]
+
+    @property
+    def command(self) -> str:
+        return f"python -m experiments.{self.module}"
+
+
+STUDIES = (
+    Step(
+        "studies.to_disk",
+        "Table 1: every curve to its disk",
+        results=("table_1_to_disk.csv", "table_1_to_disk.json", "table_1_paper.csv"),
+        figures=("table_1_slide", "table_1_linear"),
+        seconds=60,
+    ),
+    Step(
+        "studies.curve_to_curve",
+        "Table 1: the paper's four columns",
+        results=(
+            "table_1_curve_to_curve.csv",
+            "table_1_curve_to_curve_ways.csv",
+            "table_1_curve_to_curve_flips.csv",
+        ),
+        figures=("table_1_ways",),
+        seconds=60,
+    ),
+    Step(
+        "studies.sensitivity",
+        "Table 1: what the verdict depends on",
+        results=("sensitivity.csv", "table_1_slides.csv"),
+        figures=("sensitivity", "table_1_slides"),
+        seconds=60,
+    ),
+    Step(
+        "studies.table_1_layout",
+        "Table 1: in the paper's layout",
+        results=("table_1.csv", "table_1.md", "table_1.tex"),
+        seconds=5,
+    ),
+    Step("studies.pairs", "Every pair of curves", results=("pairs.csv",), seconds=30),
+    Step("studies.pivots", "Pivots matched or not", results=("pivots.csv",), seconds=30),
+    Step(
+        "studies.flip_distance",
+        "Flip sequences and the flip distance",
+        results=("flip_distance.csv",),
+        seconds=30,
+    ),
+    Step(
+        "studies.roots",
+        "The triangle that the motion starts from",
+        results=("roots_summary.csv", "roots.csv"),
+        figures=("root_shapes", "root_choice", "root_heights"),
+        seconds=60,
+    ),
+    Step(
+        "studies.guarantee",
+        "Frames that bound a disk",
+        results=("guarantee_summary.csv", "guarantee.csv"),
+        figures=("guarantee_fan", "guarantee_study", "guarantee_paths"),
+        seconds=60,
+    ),
+)
+# What is made of the studies' results.
+STEPS = (
+    *STUDIES,
+    Step("claims", "The verdict on every claim", results=("claims.csv",), seconds=30),
+    Step("figures", "Figures", results=("figures/captions.json", "figures/drawn.json"), seconds=60),
+    Step("figures.animations", "Animations", seconds=30),
+    Step("notebooks", "Notebooks", seconds=60),
+    Step("report", "The report", results=("report.html",), seconds=10),
+)
+# Times that it measures are no results that could be found again, so `reproduce` leaves it out.
+SCALING = Step("benchmarks.scaling", "How the time grows", results=("scaling.csv",), figures=("scaling",), seconds=60)
+
+
+def writer(file: str) -> Step:
+    """The step that writes a file of results/."""
+    return next(step for step in (*STEPS, SCALING) if file in step.results)

@@ -1,0 +1,1 @@
+"""Everything on one page: `python -m experiments.report` writes results/report.html."""

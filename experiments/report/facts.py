@@ -1,0 +1,57 @@
+"""The numbers of the report's abstract."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+
+def facts(results: Path) -> dict[str, Any]:
+    """The numbers of the abstract."""
+    table = pd.read_csv(results / "table_1_to_disk.csv")
+    pairs = pd.read_csv(results / "pairs.csv").query("path == 'slide'")
+    kinds = table.groupby("kind").curve.nunique()
+    return {
+        "samples": json.loads((results / "table_1_to_disk.json").read_text(encoding="utf-8"))["parameters"]["samples"],
+        "curves": int(kinds.sum()),
+        "constructed": int(kinds["constructed"]),
+        "letters": int(kinds["letter"]),
+        "loose": against_median(table, "AR_1e-4", "slide"),
+        "tight": against_median(table, "AR_1e-9", "slide"),
+        "var": against_median(table, "Var", "slide"),
+        "columns": factors(pd.read_csv(results / "table_1_curve_to_curve.csv")),
+        "pairs": len(pairs),
+        "common": int((pairs.common != "none").sum()),
+        "late": int((pairs[["u", "v"]].min(axis=1) > 0.95).sum()),
+        "guarantee": guaranteed(results / "guarantee_summary.csv"),
+    }
+
+
+def against_median(table: pd.DataFrame, measure: str, path: str) -> dict[str, Any]:
+    """On how many curves the remeshed triangulation is below, and above, the median of the random ones; by how much."""
+    wide = table[table.path == path].pivot(index="curve", columns="triangulation", values=measure)
+    gap = wide.uniform_median - wide.remeshed
+    return {"below": int((gap > 0).sum()), "above": int((gap < 0).sum()), "gap": f"{gap.median():g}"}
+
+
+def factors(columns: pd.DataFrame) -> list[dict[str, Any]]:
+    """AR of arbitrary over AR of remeshed, ours and the paper's, for each column of Table 1."""
+    found = []
+    for row, part in columns.groupby("row"):
+        by = part.set_index("triangulation")
+        ours = by.loc["own_median", "AR_1e-4"] / by.loc["remeshed", "AR_1e-4"]
+        paper = by.paper_AR_arbitrary.iloc[0] / by.paper_AR_remeshed.iloc[0]
+        compatible = bool(by.loc["remeshed", "flips"] == 0)
+        found.append({"row": row, "ours": f"{ours:.1f}", "paper": f"{paper:.1f}", "compatible": compatible})
+    return found
+
+
+def guaranteed(path: Path) -> dict[str, int] | None:
+    """How many morphs along the paper's two paths leave the immersed disks, without and with the guarantee."""
+    if not path.exists():
+        return None
+    table = pd.read_csv(path).query("path in ['linear', 'slide']")
+    sums = table.groupby("guarantee")[["morphs", "valid"]].sum()
+    failed = sums.morphs - sums.valid
+    return {"morphs": int(sums.morphs[False]), "plain": int(failed[False]), "safe": int(failed[True])}

@@ -1,0 +1,187 @@
+"""Animations in files: frames, durations, sizes; whole or not at all; the same bytes every time."""
+
+import shutil
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tween import Morph, TweenError, paper_morph
+from tween.errors import FileError
+from tween.gallery import pair
+from tween.plot import animation
+from tween.plot.animation import formats, save_animation
+from tween.plot.film import record
+from tween.plot.pixels import picture
+
+PICTURES = (".gif", ".png", ".apng", ".webp")
+SMALL: dict[str, Any] = {"frames": 6, "size": 64}
+
+
+@pytest.fixture(scope="module")
+def m() -> Morph:
+    return paper_morph(*pair("comb_to_winding"))
+
+
+def frames_of(path: Path) -> tuple[list[np.ndarray], list[float]]:
+    """The frames of a file, and their durations in milliseconds."""
+    frames, durations = [], []
+    with Image.open(path) as image:
+        for k in range(image.n_frames):
+            image.seek(k)
+            image.load()
+            frames.append(np.asarray(image.convert("RGB"), dtype=float))
+            durations.append(image.info["duration"])
+    return frames, durations
+
+
+@pytest.mark.parametrize("suffix", PICTURES)
+def test_every_frame_is_there_for_its_time_and_the_last_is_the_first(tmp_path: Path, m: Morph, suffix: str) -> None:
+    path = save_animation(tmp_path / f"a{suffix}", m, fps=20, hold=0.3, **SMALL)
+    frames, durations = frames_of(path)
+    assert path == tmp_path / f"a{suffix}"
+    assert len(frames) == 11
+    assert durations == [350, *[50] * 4, 350, *[50] * 5]
+    assert max(frames[0].shape) == 64
+    assert np.abs(frames[0] - frames[-1]).max() <= (40 if suffix == ".webp" else 0)
+    assert np.abs(frames[0] - frames[5]).max() > 100
+
+
+@pytest.mark.parametrize("suffix", PICTURES)
+def test_one_way_ends_at_the_target(tmp_path: Path, m: Morph, suffix: str) -> None:
+    path = save_animation(tmp_path / f"a{suffix}", m, there_and_back=False, size=(80, 64), frames=6)
+    frames, _ = frames_of(path)
+    assert len(frames) == 6
+    expected = np.asarray(picture(record(m, frames=6, size=(80, 64)), 5), dtype=float)
+    assert frames[-1].shape == expected.shape == (64, 80, 3)
+    assert np.abs(frames[-1] - expected).mean() < 5
+
+
+def test_a_png_holds_the_pictures_exactly(tmp_path: Path, m: Morph) -> None:
+    frames, _ = frames_of(save_animation(tmp_path / "a.png", m, **SMALL))
+    shown = record(m, **SMALL)
+    for k, frame in zip(shown.numbers, frames, strict=True):
+        np.testing.assert_array_equal(frame, np.asarray(picture(shown, k)))
+
+
+@pytest.mark.parametrize("background", ["#fff7e0", "#a8e6c9"])
+def test_a_gif_keeps_background_and_ink_and_comes_close_to_every_colour(
+    tmp_path: Path, m: Morph, background: str
+) -> None:
+    options = SMALL | {"background": background, "size": 160}
+    frames, _ = frames_of(save_animation(tmp_path / "a.gif", m, **options))
+    shown = record(m, **options)
+    for k, frame in zip(shown.numbers, frames, strict=True):
+        exact = np.asarray(picture(shown, k), dtype=float)
+        for color in (shown.background, shown.ink):
+            assert (frame[(exact == color).all(axis=2)] == color).all()
+        assert np.sqrt(np.mean((frame - exact) ** 2)) < 6
+
+
+@pytest.mark.parametrize(("fps", "total"), [(24, 460), (30, 370), (50, 220)])
+def test_durations_of_a_gif_add_up_though_each_is_rounded(tmp_path: Path, m: Morph, fps: float, total: float) -> None:
+    _, durations = frames_of(save_animation(tmp_path / "a.gif", m, fps=fps, hold=0, **SMALL))
+    assert all(duration % 10 == 0 and duration >= 20 for duration in durations)
+    assert sum(durations) == total
+
+
+@pytest.mark.parametrize("suffix", [suffix for suffix in formats() if suffix != ".mp4"])
+@pytest.mark.parametrize("style", ["triangles", "outline", "fill"])
+def test_the_same_call_writes_the_same_bytes(tmp_path: Path, m: Morph, suffix: str, style: Any) -> None:
+    one, other = (save_animation(tmp_path / f"{i}{suffix}", m, style=style, **SMALL) for i in range(2))
+    assert one.read_bytes() == other.read_bytes()
+
+
+def test_a_text_or_a_capital_suffix_will_do(tmp_path: Path, m: Morph) -> None:
+    assert save_animation(str(tmp_path / "A.GIF"), m, **SMALL).read_bytes()[:4] == b"GIF8"
+
+
+# Refusals
+
+
+@pytest.mark.parametrize("name", ["a.bmp", "a", ".gif", "a.gif.txt"])
+def test_an_unknown_suffix_is_refused_with_those_that_are_known(tmp_path: Path, m: Morph, name: str) -> None:
+    with pytest.raises(FileError, match=r"suffix .*, expected one of .*\.gif.*\.svg"):
+        save_animation(tmp_path / name, m, **SMALL)
+
+
+def test_a_missing_folder_is_named_before_anything_is_drawn(tmp_path: Path, m: Morph) -> None:
+    with pytest.raises(FileError, match=r"there is no folder '.*nowhere'"):
+        save_animation(tmp_path / "nowhere" / "a.gif", m, **SMALL)
+
+
+def test_a_gif_of_more_frames_a_second_than_browsers_show_is_refused(tmp_path: Path, m: Morph) -> None:
+    with pytest.raises(FileError, match="fps is 60, expected at most 50 in a GIF"):
+        save_animation(tmp_path / "a.gif", m, fps=60, **SMALL)
+    assert len(frames_of(save_animation(tmp_path / "a.png", m, fps=60, **SMALL))[0]) == 11
+
+
+def fail(*_: object) -> None:
+    raise FileError("no")
+
+
+@pytest.mark.parametrize("suffix", [".gif", ".png", ".webp", ".mp4"])
+@pytest.mark.parametrize("failure", ["option", "on the way"])
+def test_a_failure_leaves_an_existing_file_untouched(
+    tmp_path: Path, m: Morph, monkeypatch: pytest.MonkeyPatch, suffix: str, failure: str
+) -> None:
+    path = tmp_path / f"a{suffix}"
+    path.write_text("precious")
+    monkeypatch.setattr(animation, "picture", fail)
+    with pytest.raises((TweenError, ValueError)):
+        save_animation(path, m, **SMALL | ({"fps": 0} if failure == "option" else {}))
+    assert path.read_text() == "precious"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+# Video
+
+
+@pytest.fixture
+def ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Put a program named ffmpeg in the place of all programs; without code, none."""
+    programs = tmp_path / "programs"
+    programs.mkdir()
+    monkeypatch.setenv("PATH", str(programs))
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+
+    def install(code: str) -> None:
+        program = programs / "ffmpeg"
+        program.write_text(f"#!{sys.executable}\nimport sys\n{code}\n")
+        program.chmod(0o755)
+
+    return install
+
+
+def test_without_ffmpeg_a_video_is_refused_with_what_would_work(tmp_path: Path, m: Morph, ffmpeg) -> None:
+    with pytest.raises(FileError, match=r"needs the program ffmpeg.*or choose \.webp or \.gif"):
+        save_animation(tmp_path / "a.mp4", m, **SMALL)
+    assert not (tmp_path / "a.mp4").exists()
+
+
+def test_ffmpeg_gets_every_frame_as_often_as_it_shows(tmp_path: Path, m: Morph, ffmpeg) -> None:
+    ffmpeg("open(sys.argv[-1], 'wb').write(' '.join(sys.argv).encode() + b'\\n' + sys.stdin.buffer.read())")
+    path = save_animation(tmp_path / "a.mp4", m, fps=10, hold=0.3, **SMALL)
+    command, content = path.read_bytes().split(b"\n", 1)
+    shown = record(m, **SMALL)
+    counts = [4, 1, 1, 1, 1, 4, 1, 1, 1, 1, 1]
+    expected = b"".join(picture(shown, k).tobytes() * c for k, c in zip(shown.numbers, counts, strict=True))
+    assert content == expected
+    assert f"-video_size {shown.width}x{shown.height} -framerate 10 ".encode() in command
+
+
+@pytest.mark.parametrize("code", ["sys.exit('no such codec')", "sys.stdin.read()\nsys.exit('no such codec')"])
+def test_what_ffmpeg_complains_of_is_passed_on(tmp_path: Path, m: Morph, ffmpeg, code: str) -> None:
+    ffmpeg(code.replace("sys.stdin.read", "sys.stdin.buffer.read"))
+    with pytest.raises(FileError, match="ffmpeg could not make the video: no such codec"):
+        save_animation(tmp_path / "a.mp4", m, frames=20, size=200)
+    assert not (tmp_path / "a.mp4").exists()
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="no ffmpeg is installed, which makes videos")
+def test_a_video_of_odd_size_is_made_twice_the_same(tmp_path: Path, m: Morph) -> None:
+    one, other = (save_animation(tmp_path / f"{i}.mp4", m, frames=6, size=(65, 63)).read_bytes() for i in range(2))
+    assert one == other and b"ftyp" in one[:16]
