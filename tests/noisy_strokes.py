@@ -17,8 +17,8 @@ _SEEDS = range(400)
 class Fault(NamedTuple):
     """What is wrong with a stroke; lengths are shares of its own.
 
-    tremor: root mean square, as a share of the diagonal; wave: how many points its bumps are long; retraced: how far the
-    hand goes back over the start (the end, where less than 0); loops: how many tiny ones; gap: how much is missing.
+    tremor: root mean square, as a share of the diagonal; wave: how many points its bumps are long; retraced: how far
+    the hand goes back over the start (the end, where less than 0); loops: how many tiny ones; gap: what is missing.
     """
 
     tremor: float
@@ -37,7 +37,23 @@ KINDS = (
     Fault(0.003, wave=2, retraced=-0.04, loops=5),
 )
 SHAPES = (
-    *("horseshoe", "loop", "pretzel", "three_lobes", "ell", "comb", "ess", "spiral_2", "e", "o", "Q", "z", "l", "d", "S"),
+    *(
+        "horseshoe",
+        "loop",
+        "pretzel",
+        "three_lobes",
+        "ell",
+        "comb",
+        "ess",
+        "spiral_2",
+        "e",
+        "o",
+        "Q",
+        "z",
+        "l",
+        "d",
+        "S",
+    ),
     *("two_loops", "winding_3", "two_disks", "five_disks", "arrow"),
 )
 

@@ -131,7 +131,9 @@ def test_a_figure_eight_turns_one_loop_each_way() -> None:
 
 
 def test_a_limacon_loses_its_inner_loop() -> None:
-    explanation = decompose(np.stack([np.cos(T) + 1.2 * np.cos(2 * T), np.sin(T) + 1.2 * np.sin(2 * T)], axis=1)).explain()
+    explanation = decompose(
+        np.stack([np.cos(T) + 1.2 * np.cos(2 * T), np.sin(T) + 1.2 * np.sin(2 * T)], axis=1)
+    ).explain()
     best = explanation.suggestions[0]
     assert (best.what, best.share < 0.1, len(best.where)) == ("cut", True, 1)
     assert "Its turning number is 2: 2 loops counter-clockwise" in str(explanation)

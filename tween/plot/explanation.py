@@ -20,7 +20,7 @@ def draw_explanation(explanation: Explanation, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     explanation : Explanation
-        See `Decomposition.explain`.
+        See `.Decomposition.explain`.
     ax : Axes, optional
 
     Returns

@@ -10,7 +10,7 @@ _NAMES = {"repetition": "repeated point", "retraced": "retraced piece"}
 
 @dataclass(frozen=True)
 class Dropped:
-    """A piece of a stroke that `clean` left out.
+    """A piece of a stroke that `.clean` left out.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class Dropped:
 
 @dataclass(frozen=True)
 class Changes:
-    """What `clean` did to a stroke; its text is a line for each kind of change.
+    """What `.clean` did to a stroke; its text is a line for each kind of change.
 
     Attributes
     ----------
@@ -100,7 +100,7 @@ class Changes:
         Parameters
         ----------
         kind : str
-            As in `Dropped`.
+            As in `.Dropped`.
 
         Returns
         -------

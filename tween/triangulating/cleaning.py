@@ -2,7 +2,7 @@
 
     rows -> without repetitions -> ends joined -> smooth, pieces dropped -> vertices -> does it bound a disk?
 
-for a few smoothings, the least first, see `smoothing` and `pieces`.
+for a few smoothings, the least first, see ``smoothing`` and ``pieces``.
 
 Legend: ``p`` rows of the stroke; ``t`` places along it, in rows; ``s`` a smoothing: how far anything may be moved.
 """
@@ -41,9 +41,9 @@ _Floats = NDArray[np.float64]
 
 
 class CleanedCurve(Curve):
-    """A curve that `clean` made of a stroke: a `Curve` that knows what was changed.
+    """A curve that `.clean` made of a stroke: a `.Curve` that knows what was changed.
 
-    Made by `clean`.
+    Made by `.clean`.
     """
 
     _changes: Changes
@@ -79,9 +79,9 @@ def clean(
     Returns
     -------
     CleanedCurve
-        A `Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and what
-        is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a curve
-        which bounds a disk; parts that are not twice the tremor of the stroke (see `Changes`) are left out.  Where
+        A `.Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and
+        what is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a curve
+        which bounds a disk; parts that are not twice the tremor of the stroke (see `.Changes`) are left out.  Where
         `smooth` is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.  Where
         none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
 
@@ -94,8 +94,8 @@ def clean(
     -----
     Each vertex lies within `smooth` of the place of the stroke that it stands for, and each kept row of the stroke
     within `smooth` of the edge that stands for it; each dropped row within `smooth` of the curve.  This is measured,
-    not assumed: see `Changes.beyond`.  A similarity of the stroke, and of `smooth` and `close` with it, gives a similar
-    curve up to rounding.
+    not assumed: see `.Changes.beyond`.  A similarity of the stroke, and of `smooth` and `close` with it, gives a
+    similar curve up to rounding.
 
     Examples
     --------

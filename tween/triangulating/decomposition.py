@@ -297,8 +297,8 @@ class Decomposition:
 
         Notes
         -----
-        What is suggested first is to `clean` the curve, if 1/25 of its size is smoothing enough; then to cut off loops,
-        the least area first.  The work is bounded, and what was not looked at is said.
+        What is suggested first is to `.clean` the curve, if 1/25 of its size is smoothing enough; then to cut off
+        loops, the least area first.  The work is bounded, and what was not looked at is said.
 
         Examples
         --------

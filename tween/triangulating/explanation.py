@@ -46,7 +46,7 @@ class Explanation:
     ----------
     curve : Curve
     reason : str
-        `Decomposition.reason`; empty where the curve bounds a disk.
+        `.Decomposition.reason`; empty where the curve bounds a disk.
     places : ndarray of float64, shape (k, 2)
         Where the curve meets itself; none where that was not looked at.
     crossings : int
@@ -147,7 +147,7 @@ class Explanation:
 
 
 def explain(curve: Curve, reason: str) -> Explanation:
-    """Say why a curve bounds no disk; see `Decomposition.explain`.
+    """Say why a curve bounds no disk; see `.Decomposition.explain`.
 
     Parameters
     ----------

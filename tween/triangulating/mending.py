@@ -1,7 +1,7 @@
 """What would make a curve bound a disk: cleaning it, or cutting off loops; checked before it is suggested.
 
 Legend: ``p`` points of what is left of a curve after some cuts; a *cut* keeps one loop of the two at a place where the
-curve meets itself, see `loops`.
+curve meets itself, see ``loops``.
 """
 
 import heapq
@@ -124,7 +124,7 @@ def mend(curve: Curve, covered: float) -> Mending:
     curve : Curve
         One that bounds none.
     covered : float
-        Its `covered_area`.
+        Its ``covered_area``.
 
     Returns
     -------
