@@ -132,7 +132,7 @@ class Curve:
     @cached_property
     def crossings(self) -> Crossings:
         """The pairs of edges that meet, as `.Crossings`; a spatial index proposes, `.orient2d` decides."""
-        return _crossings(self._points)
+        return find_crossings(self._points)
 
     def insert_vertices(self, count: int) -> "Curve":
         """Reach a number of vertices by halving the longest edges; the shape stays.
@@ -167,7 +167,7 @@ class Curve:
         """
         if count < len(self):
             raise CurveError(f"{count} vertices wanted, but the curve has {len(self)} already")
-        points, origin = _halve_longest_edges(self._points, self._origin, count)
+        points, origin = halve_longest_edges(self._points, self._origin, count)
         try:
             curve = Curve(points)
         except CurveError as error:
@@ -318,8 +318,18 @@ def turning_number(points: NDArray[np.float64]) -> int:
     return int(np.sum((turns > 0) & ~before & upper)) - int(np.sum((turns < 0) & before & ~upper))
 
 
-def _crossings(p: NDArray[np.float64]) -> Crossings:
-    n = len(p)
+def find_crossings(points: NDArray[np.float64]) -> Crossings:
+    """Find the pairs of edges of a closed polygon that meet, neighbours left out; it may have spikes, unlike a curve.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+
+    Returns
+    -------
+    Crossings
+    """
+    p, n = points, len(points)
     q = np.roll(p, -1, axis=0)
     edges = shapely.linestrings(np.stack([p, q], axis=1))
     i, j = shapely.STRtree(edges).query(edges)
@@ -341,12 +351,32 @@ def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray
     return inside[:, 0] & inside[:, 1]
 
 
-def _halve_longest_edges(
+def halve_longest_edges(
     points: NDArray[np.float64], origin: NDArray[np.intp], count: int
 ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Halve the longest edge until there are `count`; a heap holds (-length, position, start, end)."""
+    """Halve the longest edge of a closed polygon until there are enough.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 2)
+    origin : ndarray of int, shape (n,)
+        A number for each.
+    count : int
+        Points wanted, at least n.
+
+    Returns
+    -------
+    points : ndarray of float64, shape (count, 2)
+    origin : ndarray of int, shape (count,)
+        The given numbers; -1 for midpoints.
+
+    Raises
+    ------
+    CurveError
+        Where an edge is too short to be halved.
+    """
     n = len(points)
-    heap = []
+    heap = []  # (-length, position, start, end, span)
     for i in range(n):
         a, b = points[i], points[(i + 1) % n]
         # math.hypot is Python's own; the last bit of numpy's is the platform's, and would decide between equal edges.

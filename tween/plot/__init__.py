@@ -2,6 +2,7 @@
 
 from tween.colors import EDGE, FAILURE, INK, PIVOT, RANDOM, SOURCE, TARGET, TREE
 from tween.plot.animation import save_animation
+from tween.plot.explanation import draw_explanation
 from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
 from tween.plot.shapes import (
     draw_dual_tree,
@@ -27,6 +28,7 @@ __all__ = [
     "draw_angle_sums",
     "draw_area_matrix",
     "draw_dual_tree",
+    "draw_explanation",
     "draw_filmstrip",
     "draw_shape",
     "draw_singular_values",

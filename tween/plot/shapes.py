@@ -12,7 +12,6 @@ from collections.abc import Iterator, Sequence
 
 import matplotlib.pyplot as plt
 import numpy as np
-import shapely
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import PathPatch
@@ -22,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from tween.colors import EDGE, INK, PIVOT, SOURCE, TREE
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.dual_tree import along_longest_path
+from tween.geometry.faces import Face, faces, winding_numbers
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.morph import Morph
 
@@ -85,13 +85,27 @@ def regions(points: NDArray[np.float64]) -> Iterator[tuple[Path, int]]:
     >>> [winding for _, winding in regions(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))]
     [1]
     """
-    for face in shapely.polygonize([shapely.unary_union(shapely.linearrings(points))]).geoms:
-        outline = Path.make_compound_path(*(Path(np.array(r.coords)) for r in (face.exterior, *face.interiors)))
-        yield outline, winding_number(points, np.array(face.representative_point().coords[0]))
+    for face in faces(points):
+        yield outline_of(face), face.winding
+
+
+def outline_of(face: Face) -> Path:
+    """Return the outline of a region and of its holes.
+
+    Parameters
+    ----------
+    face : Face
+
+    Returns
+    -------
+    Path
+    """
+    rings = (face.polygon.exterior, *face.polygon.interiors)
+    return Path.make_compound_path(*(Path(np.array(ring.coords)) for ring in rings))
 
 
 def winding_number(points: NDArray[np.float64], place: NDArray[np.float64]) -> int:
-    """Count how often a curve winds about a place that is not on it, for pictures.
+    """Count how often a curve winds about a place that is not on it, exactly.
 
     Parameters
     ----------
@@ -107,10 +121,7 @@ def winding_number(points: NDArray[np.float64], place: NDArray[np.float64]) -> i
     >>> winding_number(np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), np.array([0.5, 0.5]))
     1
     """
-    a = points - place
-    b = np.roll(a, -1, axis=0)
-    angles = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
-    return round(float(angles.sum()) / (2 * np.pi))
+    return int(winding_numbers(points, place)[0])
 
 
 def draw_triangulation(

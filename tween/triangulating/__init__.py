@@ -5,10 +5,14 @@ import lazy_loader
 __getattr__, __dir__, __all__ = lazy_loader.attach(
     __name__,
     submodules={
+        "changes",
+        "cleaning",
         "compatibility",
         "costs",
         "decomposition",
+        "explanation",
         "flips",
+        "mending",
         "reduction",
         "restoration",
         "table",

@@ -11,7 +11,7 @@ Geometry 2 (1992) 31-50.
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import mul
-from typing import Literal, overload
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +24,9 @@ from tween.triangulating.reduction import Reduction, reduce_curve
 from tween.triangulating.restoration import restore
 from tween.triangulating.table import Table
 from tween.triangulating.table_kernels import best_splits, draw, follow
+
+if TYPE_CHECKING:
+    from tween.triangulating.explanation import Explanation
 
 _AT_ONCE = 2**20  # triangles whose costs are asked for
 _SMALL = 200  # vertices; up to here the table is as quick as anything
@@ -276,6 +279,44 @@ class Decomposition:
             raise TweenError(f"immersions belong to one curve, but {len(self._curves)} were decomposed together")
         table = self._reduced or Table(self._points[:, self._reduction.kept])
         return [self._restored(triangles) for triangles in table.delaunay()]
+
+    def explain(self) -> "Explanation":
+        """Say why there is no triangulation, where, and what would mend the curve.
+
+        Returns
+        -------
+        Explanation
+            Its text is a summary and a few lines: tiny loops; the turning number and the loops that make it; regions
+            about which the curve winds clockwise; and what would mend it.  Each suggestion carries a curve that was
+            checked to bound a disk.  Of several curves, that of the first which bounds none.
+
+        Raises
+        ------
+        TweenError
+            For a joint decomposition of curves each of which bounds a disk: none of them is to be mended.
+
+        Notes
+        -----
+        What is suggested first is to `.clean` the curve, if 1/25 of its size is smoothing enough; then to cut off
+        loops, the least area first.  The work is bounded, and what was not looked at is said.
+
+        Examples
+        --------
+        >>> print(decompose([[0, 0], [4, 4], [4, 0], [0, 3]]).explain())
+        The curve bounds no immersed disk: turning number is 0, not 1; to mend it, cut off the loop at (1.714, 1.714).
+        It meets itself 1 time, with no tiny loops.
+        Its turning number is 0: 1 loop counter-clockwise less 1 clockwise; the smallest of them at (1.714, 1.714).
+        It winds against its main sense about 1 region: at (0.429, 0.857) (1).
+        1. cut off the loop at (1.714, 1.714): 36 % of the area is lost.
+        2. keep only the loop at (1.714, 1.714): 64 % of the area is lost.
+        """
+        from tween.triangulating.explanation import explain  # here, as it decomposes the curves that it suggests
+
+        alone = [self] if len(self._curves) == 1 else [decompose(c) for c in self._curves]
+        for decomposition in alone:
+            if not decomposition or len(alone) == 1:
+                return explain(decomposition.curves[0], decomposition.reason)
+        raise TweenError("an explanation belongs to one curve, and each of these bounds a disk")
 
     def _require(self) -> None:
         if not self:
