@@ -86,7 +86,7 @@ def test_it_turns_evenly_and_by_no_more_than_half_a_turn(name: str, path) -> Non
     turns = turning(Steady(Moving(triangulate(curve(name)), path), False))
     assert abs(turns.sum()) <= np.pi + 1e-6
     even = turns.sum() * np.arange(1, len(turns) + 1) / len(turns)
-    # The rotation is known at 257 times: near a sudden turn of "metric" it is off by hundredths of a radian.
+    # The rotation is known at 513 times: near a sudden turn of "metric" it is off by hundredths of a radian.
     np.testing.assert_allclose(np.cumsum(turns), even, atol=1e-5 if path in ("linear", "angle") else 1e-2)
 
 

@@ -16,7 +16,7 @@ from tween.plot.shapes import identity_colors
 
 @pytest.fixture(scope="module")
 def flipping() -> Morph:
-    return paper_morph(*pair("comb_to_winding"))
+    return paper_morph(*pair("comb_to_winding"), order="partial")
 
 
 @pytest.fixture(scope="module")
