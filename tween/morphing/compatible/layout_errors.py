@@ -21,8 +21,8 @@ cut in four, until they are proved or too short.  What is known in an interval a
 sines carries lengths down the tree.
 
 The interval at an end may stay in doubt however short it is: the end may be a shape that is only just valid.  Then
-the end itself, which is given exactly, serves for it, if it is no longer than 2^-30 and the shape moves by less
-than 1e-7 of its width meanwhile.
+the end itself, which is given exactly, serves for it, up to 2^-24 from there as long as the shape has moved by less
+than 1e-7 of its width.
 
 Legend: ``f`` number of an interval; ``low high`` ends of intervals; ``near far`` least and greatest length.
 """
@@ -43,7 +43,7 @@ _FEW = 16  # intervals to begin with
 _PARTS = 4  # into which one in doubt is cut
 _SHORTEST = 2.0**-10  # of intervals that touch no end, as a share of their distance from it
 _MOST = 4096  # intervals in one round
-_SNAP, _LEAST_SNAP = 2.0**-30, 2.0**-50  # lengths of intervals for which an end may serve
+_SNAP, _LEAST_SNAP = 2.0**-24, 2.0**-50  # lengths of intervals for which an end may serve
 _JUMP = 1e-7  # widths by which a shape may move while an end serves
 _FINE, _TRIANGLE, _VERTEX, _RANGE = range(4)
 
@@ -150,9 +150,10 @@ def first_doubt(
         bad = np.flatnonzero(found[:, 0] != _FINE)
         again = []
         for (start, end), row in zip(intervals[bad].tolist(), found[bad].tolist(), strict=True):
-            at = 0 if start == 0.0 else 1 if end == 1.0 else None
-            if at is not None and ends[at] and end - start <= _SNAP and moves(start, end) < _JUMP:
-                snaps[at] = (end, start)[at]
+            if ends[0] and end <= _SNAP and moves(0.0, end) < _JUMP:
+                snaps[0] = max(snaps[0], end)
+            elif ends[1] and 1.0 - start <= _SNAP and moves(start, 1.0) < _JUMP:
+                snaps[1] = min(snaps[1], start)
             elif end - start <= _shortest(start, end) or len(bad) > _MOST:
                 return _doubt(corners, start, end, row)
             else:

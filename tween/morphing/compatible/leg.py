@@ -156,7 +156,7 @@ class Leg:
         elif self._path != "angle":
             kept = np.minimum(left, default_reserve(self._corners, *self._angles) if reserve is None else reserve)
             self.budgets, proved = proved_budgets(self._corners, *self._angles, self._largest_angles, kept)
-            self._slack = np.where(proved > 0, proved, kept)
+            self._slack = np.where(np.isnan(proved), kept, proved)
 
     def _doubtful(self, path: AreaPath, left: NDArray[np.float64]) -> NDArray[np.bool_]:
         """The vertices whose angles along the path "area" are not proved to stay below 2 pi."""
