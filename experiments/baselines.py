@@ -22,7 +22,8 @@ from scipy.sparse.linalg import splu
 from tween.errors import IncompatibleError, TriangulationError
 from tween.geometry.dual_tree import rooted
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import match
+from tween.morphing.alignment import renumbered
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.morph import Morph
 
@@ -47,7 +48,7 @@ class Baseline(Morph):
     def __init__(self, name: str, source: Triangulation, target: Triangulation, at: Callable[[_Floats], _Complexes]):
         rows = np.arange(len(source))
         stages = [(0.0, source.triangles)]
-        super().__init__(_Still(at, stages), match(source, target, 0, None, rows, rows), backwards=False, shift=0)
+        super().__init__(_Still(at, stages), renumbered(source, target, 0, None, rows, rows), backwards=False, shift=0)
         self.name = name
 
     def __repr__(self) -> str:
@@ -61,6 +62,10 @@ class _Still:
     points: Callable[[_Floats], _Complexes]
     stages: list[tuple[float, NDArray[np.int64]]]
     events: list[Event] = field(default_factory=list)
+
+    def first_doubt(self, placing: Placing) -> Doubt:
+        """Nothing is proved of a baseline."""
+        return Doubt(0.0, 1.0, "triangle", (), 0.0, 0.0)
 
     def at(self, t: _Floats) -> _Floats:
         z = self.points(t)
@@ -227,7 +232,7 @@ def _matched(source: Triangulation, target: Triangulation) -> tuple[_Complexes, 
     """Return the points of both where there are equally many."""
     if len(source) != len(target):
         raise IncompatibleError(
-            f"the target has {len(target)} vertices, expected {len(source)} as the source has; `align` inserts some"
+            f"the target has {len(target)} vertices, expected {len(source)} as the source has; tween.match inserts some"
         )
     p, q = (np.ascontiguousarray(shape.points).view(np.complex128)[:, 0] for shape in (source, target))
     return p, q

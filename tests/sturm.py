@@ -18,7 +18,7 @@ Root = tuple[Polynomial, Fraction, Fraction]
 
 
 class Found(NamedTuple):
-    """The first instant at which a rule is broken, between two fractions, and all that is broken within 50 bits of it."""
+    """The first instant at which a rule is broken, between two fractions; what is broken there, to 50 bits."""
 
     low: Fraction
     high: Fraction

@@ -21,10 +21,11 @@ from .measuring.metrics import area_rank as area_rank
 from .measuring.metrics import frame_variance as frame_variance
 from .measuring.playback import Playback as Playback
 from .measuring.playback import playback as playback
-from .morphing.alignment import Alignment as Alignment
-from .morphing.alignment import align as align
+from .morphing.matching.match import Match as Match
+from .morphing.matching.match import match as match
 from .morphing.morph import Morph as Morph
 from .morphing.strategy import morph as morph
+from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation
 from .triangulating import costs as costs
 from .triangulating import flips as flips

@@ -110,7 +110,9 @@ def test_files_without_frames_are_refused_in_words(tmp_path: Path, name: str, co
         read_frames(tmp_path / name)
 
 
-@pytest.mark.parametrize("note", ["{}", "[]", "no JSON", '{"triangles": [[0, 0, 1]]}', '{"triangles": [], "frames": [7]}'])
+@pytest.mark.parametrize(
+    "note", ["{}", "[]", "no JSON", '{"triangles": [[0, 0, 1]]}', '{"triangles": [], "frames": [7]}']
+)
 def test_notes_that_tell_no_triangles_are_refused(tmp_path: Path, note: str) -> None:
     path = save_animation(tmp_path / "film.svg", morph(gallery.curve("ell"), gallery.curve("arrow")), frames=3)
     path.write_text(re.sub("<metadata>.*</metadata>", f"<metadata>{note}</metadata>", path.read_text()))

@@ -1,4 +1,4 @@
-"""The check of single frames: how frames are kept, and how faults are put into words; its verdicts in test_certificate."""
+"""How checked frames are kept, and faults put into words; verdicts are tested in test_certificate."""
 
 import numpy as np
 

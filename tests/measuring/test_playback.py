@@ -74,7 +74,7 @@ def test_no_frame_can_be_left_out() -> None:
 
 
 def test_frames_are_as_many_as_a_circle_needs() -> None:
-    # A chord of angle a lies r (1 - cos(a / 2)) off its arc, and a square of side 1 has r = 1 / sqrt(2), width 1 to 1.41.
+    # A chord of angle a lies r (1 - cos(a / 2)) off its arc; a square of side 1 has r = 1 / sqrt(2), width 1 to 1.41.
     shown = playback(Scripted(lambda t: turned(np.pi / 2 * t)), tolerance=1e-3)
     longest = 2 * np.arccos(1 - 1e-3 * 2**0.5)
     assert np.pi / 2 / longest / 1.3 <= len(shown) - 1 <= 2 + np.pi / 2 / longest
@@ -111,7 +111,9 @@ def test_frames_can_be_limited() -> None:
         playback(Scripted(turned), tolerance=1e-6, most=4)
 
 
-@pytest.mark.parametrize(("options", "message"), [({"tolerance": 0}, "tolerance is 0"), ({"most": 1}, "at most 1 times")])
+@pytest.mark.parametrize(
+    ("options", "message"), [({"tolerance": 0}, "tolerance is 0"), ({"most": 1}, "at most 1 times")]
+)
 def test_senseless_limits_are_misuse(options, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         playback(Scripted(turned), **options)

@@ -170,7 +170,12 @@ def dented(depth: float) -> NDArray[np.float64]:
 
 
 FORGED = {
-    "a square on its way to half a turn shrinks to a point": ([SQUARE, moved(SQUARE, HALF_TURN)], HALVES, 0.5, "triangle 0"),
+    "a square shrinks to a point on its way to half a turn": (
+        [SQUARE, moved(SQUARE, HALF_TURN)],
+        HALVES,
+        0.5,
+        "triangle 0",
+    ),
     "a triangle touches zero and comes back": (shear_to_and_fro(), [(0, 1, 2)], 0.5, "triangle 0"),
     "the angles at a vertex exceed 2 pi for a while": (OVER, fan(5), 0.17875944538192956, "the angles at vertex 0"),
     "the angles at a vertex touch 2 pi at one instant": (SPIKE, fan(5), 0.5, "the angles at vertex 0"),
@@ -224,7 +229,8 @@ def test_the_last_bit_of_one_coordinate_decides() -> None:
 
 def test_the_instant_the_frames_and_the_element_are_named() -> None:
     cert = verify([SQUARE, SQUARE, moved(SQUARE, HALF_TURN)], HALVES, times=[3.0, 5.0, 9.0], between="linear")
-    assert cert.first_failure == (7.0, "triangle 0 [0, 1, 2] loses its area between frames 1 and 2, at 0.5 of the way", 0)
+    rule = "triangle 0 [0, 1, 2] loses its area between frames 1 and 2, at 0.5 of the way"
+    assert cert.first_failure == (7.0, rule, 0)
     cert = verify(SPIKE, fan(5), between="linear")
     assert cert.first_failure.rule == "the angles at vertex 0 reach 2 pi between frames 0 and 1, at 0.5 of the way"
     assert cert.first_failure.element == 0
@@ -267,7 +273,14 @@ def test_times_that_fall_and_unknown_motion_are_misuse() -> None:
 
 def test_what_only_moves_turns_or_grows_is_valid_throughout() -> None:
     third = [[-0.5, -(0.75**0.5)], [0.75**0.5, -0.5]]
-    frames = [SQUARE, SQUARE + [7, -3], 1e9 * SQUARE, moved(SQUARE, third), moved(moved(SQUARE, third), third), SQUARE]
+    frames = [
+        SQUARE,
+        np.add(SQUARE, (7, -3)),
+        1e9 * SQUARE,
+        moved(SQUARE, third),
+        moved(moved(SQUARE, third), third),
+        SQUARE,
+    ]
     cert = verify(frames, HALVES, between="linear")
     assert cert.valid
     assert (cert.intervals_checked, cert.intervals_failed) == (5, 0)
@@ -276,7 +289,7 @@ def test_what_only_moves_turns_or_grows_is_valid_throughout() -> None:
 
 def test_collinear_edges_at_a_vertex_are_no_failure() -> None:
     flat = np.array([(0, 0), (1, 0), (2, 0), (2, 2), (0, 2)], dtype=np.float64)
-    assert verify([flat, 3 * flat, flat + [1, 1]], [(0, 1, 4), (1, 2, 3), (1, 3, 4)], between="linear").valid
+    assert verify([flat, 3 * flat, np.add(flat, (1, 1))], [(0, 1, 4), (1, 2, 3), (1, 3, 4)], between="linear").valid
 
 
 @pytest.mark.parametrize("frames", [1, 2])

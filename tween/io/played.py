@@ -1,7 +1,7 @@
 """Frames read back from what plays them: an animated SVG, a page with a player, a table of vertices.
 
-Coordinates are those that are drawn, with all their rounding, and y turned upwards; a way back is read, too.  Errors do not know
-the name of the file; `tween.read_frames` puts it in front.
+Coordinates are those that are drawn, with all their rounding, and y turned upwards; a way back is read, too.  Errors
+do not know the name of the file; `tween.read_frames` puts it in front.
 """
 
 import json
@@ -71,7 +71,7 @@ def html_frames(data: bytes) -> dict[str, Any]:
     """
     found = _DATA.search(data.decode("utf-8", errors="replace"))
     try:
-        film = json.loads(found[1]) if found else None
+        film = json.loads(found[1] if found else "{}")
         shapes = [np.array(shape, dtype=np.float64).reshape(-1, 2) * [1, -1] for shape in film["shapes"]]
         return _content(shapes, film["clock"], [json.dumps({"triangles": film["rows"]})])
     except (KeyError, TypeError, ValueError) as error:
@@ -112,7 +112,8 @@ def csv_frames(data: bytes) -> dict[str, Any]:
         raise FileError("has a row that is not five numbers") from None
     n = len(rows) and int((rows[:, 0] == rows[0, 0]).sum())
     k, left = divmod(len(rows), n or 1)
-    if left or not k or (rows[:, 0] != np.repeat(np.arange(k), n)).any() or (rows[:, 2] != np.tile(np.arange(n), k)).any():
+    order = np.stack([np.repeat(np.arange(k), n), np.tile(np.arange(n), k)], axis=1)
+    if left or not k or (rows[:, [0, 2]] != order).any():
         raise FileError("does not hold each vertex of each frame, in order")
     return {"frames": rows[:, 3:].reshape(k, n, 2), "times": rows[::n, 1]}
 
@@ -131,7 +132,7 @@ def _points(d: str) -> NDArray[np.float64]:
 
 
 def _content(frames: list[NDArray[np.float64]], times: Any, notes: list[str | None]) -> dict[str, Any]:
-    """The frames, and the triangles that a note beside them tells: a list for each shape, and which shape each frame is."""
+    """The frames, and the triangles that a note tells: a list for each shape, and which shape each frame is."""
     if len({len(frame) for frame in frames}) != 1:
         raise FileError("has frames of different numbers of vertices")
     content: dict[str, Any] = {"frames": np.stack(frames), "times": times}

@@ -165,8 +165,8 @@ def read_frames(path: AnyPath) -> tuple[_Floats, NDArray[np.int64] | None, _Floa
     ----------
     path : path-like
         JSON or npz, with frames, perhaps triangles and perhaps times by these names; the CSV and SVG of
-        `write_frames`; or the animated SVG and the HTML of `save_animation`, whose frames are those that are drawn, with their
-        rounding and, in SVG, the way back.
+        `write_frames`; or the animated SVG and the HTML of `save_animation`, whose frames are those that are drawn,
+        with their rounding and, in SVG, the way back.
 
     Returns
     -------
@@ -179,7 +179,8 @@ def read_frames(path: AnyPath) -> tuple[_Floats, NDArray[np.int64] | None, _Floa
     Raises
     ------
     FileError
-        Where the file cannot be read or holds something else.  Pictures, such as a GIF, hold no frames that could be read back.
+        Where the file cannot be read or holds something else.  Pictures, such as a GIF, hold no frames that could be
+        read back.
     """
     with naming(path):
         return frames_of(_FRAME_READERS[suffix_of(path, _FRAME_READERS)](content_of(path)))

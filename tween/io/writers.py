@@ -177,7 +177,8 @@ def drawing(shapes: _Floats, triangles: NDArray[np.int64] | None = None) -> str:
         f'viewBox="{" ".join(f"{value:.12g}" for value in box)}">'
     ]
     if triangles is not None and len(shapes) > 1:
-        lines.append(f"<metadata>{json.dumps({'triangles': changed_triangles(triangles)}, separators=(',', ':'))}</metadata>")
+        note = json.dumps({"triangles": changed_triangles(triangles)}, separators=(",", ":"))
+        lines.append(f"<metadata>{note}</metadata>")
     for i, shape in enumerate(shapes):
         drawn = _drawn(
             shape, None if triangles is None else triangles[i], f"frame_{i}" if i or len(shapes) > 1 else "curve", side

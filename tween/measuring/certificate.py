@@ -147,8 +147,8 @@ def verify(
     finite and within `.EXACT_RANGE`; every triangle counter-clockwise; no angle sum of 2 pi or more.  The last
     one says that the curve has no spike and turning number 1, see `tween.measuring.frame_check`.  O(n k).
 
-    Between frames the last two rules are decided for all real numbers between, see `tween.measuring.straight_motion`: about
-    the frames as they are given, not about what a player makes of them.  Where the triangles of two
+    Between frames the last two rules are decided for all real numbers between, see `tween.measuring.straight_motion`:
+    about the frames as they are given, not about what a player makes of them.  Where the triangles of two
     neighbouring frames differ, one of the two lists has to hold all the way.
 
     Examples
@@ -206,14 +206,14 @@ def certify(shape: Any, frames: int = 100) -> Certificate:
 
     Notes
     -----
-    What the morph promises about itself, its `proof`, is neither used nor repeated.  At a flip the
-    triangles before and after it are both checked.  Unless a frame failed already, time is bisected until straight motion
-    between neighbouring frames keeps every rule, and until between them no angle sum can reach 2 pi, and no
-    triangle lose its height over its longest edge, at the largest rates of change seen there and in the
-    two intervals beside.  The first is exact, about what is played; the second is an estimate about the morph
-    itself, as those rates are measured.  It ends at steps of 2**-20, or at two million angle
-    sums.  At the first failure it ends too, so `frames_failed` is a share of
-    the evenly spaced frames and those at flips only where these fail themselves.  O(n) a frame.
+    What the morph promises about itself, its `proof`, is neither used nor repeated.  At a flip the triangles before
+    and after it are both checked.  Unless a frame failed already, time is bisected until straight motion between
+    neighbouring frames keeps every rule, and until between them no angle sum can reach 2 pi, and no triangle lose its
+    height over its longest edge, at the largest rates of change seen there and in the two intervals beside.  The
+    first is exact, about what is played; the second is an estimate about the morph itself, as those rates are
+    measured.  It ends at steps of 2**-20, or at two million angle sums.  At the first failure it ends too, so
+    `frames_failed` is a share of the evenly spaced frames and those at flips only where these fail themselves.  O(n)
+    a frame.
 
     Examples
     --------
@@ -225,7 +225,7 @@ def certify(shape: Any, frames: int = 100) -> Certificate:
       between frames: 9 checked, 0 failed
       largest angle sum: 4.7124 (1.5000 pi) at vertex 3, t = 0
       smallest triangle: area 0.2913, t = 1
-      checked for every instant of playback: exact at 10 frames and at every instant of straight motion between them; ...
+      checked for every instant of playback: exact at 10 frames and at every instant of straight motion ...
     """
     if not hasattr(shape, "at"):
         if not hasattr(shape, "triangles"):
@@ -255,7 +255,7 @@ def _arrays(frames: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64
 
 
 class _Played(NamedTuple):
-    """What straight motion between valid frames does: how many intervals there are, and the failures, at most one each."""
+    """How many intervals there are between valid frames, and the failures of straight motion, at most one each."""
 
     intervals: int
     failures: list[Failure]

@@ -9,7 +9,7 @@ from tween.triangulating.decomposition import decompose
 
 
 def find_triangles(frames: ArrayLike) -> NDArray[np.int64]:
-    """Find triangles that show frames to be immersed disks and, where there are such, straight motion between them, too.
+    """Find triangles that show frames to be immersed disks, and straight motion between them, too, if they can.
 
     Parameters
     ----------
@@ -30,9 +30,9 @@ def find_triangles(frames: ArrayLike) -> NDArray[np.int64]:
 
     Notes
     -----
-    Where the last list does not hold until the next frame, one that is valid in both frames is taken, if there is one; of several, any.  So
-    it may be that straight motion under these triangles breaks, and others would hold.  Each time that costs a table, see
-    `tween.decompose`.
+    Where the last list does not hold until the next frame, one that is valid in both frames is taken, if there is
+    one; of several, any.  So it may be that straight motion under these triangles breaks, and others would hold.
+    Each time that costs a table, see `tween.decompose`.
 
     Examples
     --------

@@ -16,8 +16,8 @@ with `turn` gives floor(angle sum / 2 pi), exactly.  The angles of n-2 triangles
 
     turning number  =  1 + sum over the vertices of floor(angle sum / 2 pi).
 
-Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``stage`` number of the list of triangles in force; ``fault`` a rule's
-code and two numbers, (OK, 0, 0) for none.
+Legend: ``v p`` vertices; ``m`` number of triangles; ``f`` frame; ``stage`` number of the list of triangles in force;
+``fault`` a rule's code and two numbers, (OK, 0, 0) for none.
 """
 
 from math import atan2, inf, nan

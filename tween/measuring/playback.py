@@ -7,13 +7,16 @@ show is then not the morph, however it was proved, but a polygon through some of
     playback     o------o------o---------------o---o   as far each time as the next rules allow
 
 From each time the next is the last one such that the straight motion to it stays within the tolerance of the morph at
-all samples between, and keeps the rules of `tween.measuring.straight_motion` at every instant.  Going as far as possible
-each time takes the fewest times among the samples where a part of a good step is a good step, which may fail in rare cases.
+all samples between, and keeps the rules of `tween.measuring.straight_motion` at every instant.  Going as far as
+possible each time takes the fewest times among the samples where a part of a good step is a good step, which may fail
+in rare cases.
 
-Legend: ``i j`` samples; ``k`` times of the playback; ``n`` vertices; a shape's *width* is the longer side of its bounding box.
+Legend: ``i j`` samples; ``k`` times of the playback; ``n`` vertices; a shape's *width* is the longer side of its
+bounding box.
 """
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -67,8 +70,8 @@ def playback(m: Any, tolerance: float = 1e-3, most: int = 1000) -> Playback:
     m : Morph
         Or what has `at`, `triangles_at` and `events` like it.
     tolerance : float
-        How far a vertex may be from where the morph has it, as a fraction of the width of the shape at that time, the longer
-        side of its bounding box.
+        How far a vertex may be from where the morph has it, as a fraction of the width of the shape at that time, the
+        longer side of its bounding box.
     most : int
         Times, 0 and 1 included.
 
@@ -80,15 +83,16 @@ def playback(m: Any, tolerance: float = 1e-3, most: int = 1000) -> Playback:
     Raises
     ------
     TweenError
-        Where the morph cannot be followed that closely, with a verified step each time and at most so many times; it names
-        the time and the rule.
+        Where the morph cannot be followed that closely, with a verified step each time and at most so many times; it
+        names the time and the rule.
     ValueError
         Where the tolerance is not positive or fewer than two times are allowed.
 
     Notes
     -----
-    The distance is measured, at samples as close as that takes; that every instant bounds an immersed disk is checked, exactly,
-    whatever the morph promises.  Some thousands of shapes are made, and O(log k) straight motions are checked for each time.
+    The distance is measured, at samples as close as that takes; that every instant bounds an immersed disk is
+    checked, exactly, whatever the morph promises.  Some thousands of shapes are made, and O(log k) straight motions
+    are checked for each time.
 
     Examples
     --------
@@ -106,7 +110,7 @@ def playback(m: Any, tolerance: float = 1e-3, most: int = 1000) -> Playback:
     chosen = _chosen(samples, tolerance, most)
     times, frames = samples.t[chosen], samples.shapes[chosen]
     triangles = np.stack([samples.triangles(i) for i in chosen])
-    deviation = max(samples.deviation(i, j) for i, j in zip(chosen[:-1], chosen[1:], strict=True))
+    deviation = max(samples.deviation(i, j) for i, j in pairwise(chosen))
     certificate = verify(frames, triangles, times, between="linear")
     assert certificate, certificate.first_failure  # every step was verified
     return Playback(times, frames, triangles, float(tolerance), deviation, certificate)
@@ -169,7 +173,7 @@ def _sampled(m: Any, tolerance: float) -> _Samples:
         steep = bent & (samples.t[left + 1] - samples.t[left] < 2 * _SHORTEST)
         if steep.any() or (len(samples.t) + len(left)) * shapes.shape[1] > _MOST_NUMBERS:
             where = middle[np.flatnonzero(steep if steep.any() else bent)[0]]
-            raise TweenError(f"at t = {where:.9g} the morph is too fast to be followed within {tolerance:g} of its width")
+            raise TweenError(f"at t = {where:.9g} the morph is too fast to be followed within {tolerance:g} widths")
         samples.insert(middle, shapes)
         again = np.searchsorted(samples.t, middle[bent])
         left = np.sort(np.concatenate([again - 1, again]))

@@ -28,16 +28,16 @@ of `tween.measuring.frame_check` under them.  Then two things alone can go wrong
 Diagonals need nothing more: edges between positive triangles glued to a disk.  The first instant at which either
 happens is the first failure, since up to there all areas are positive, as the second argument supposes.
 
-Where the triangles change between two frames, one of the two lists must hold for the whole interval, at both
-frames and between.  Either will do: to bound an immersed disk is a property of the curve, not of the triangles that show it.
+Where the triangles change between two frames, one of the two lists must hold for the whole interval, at both frames
+and between.  Either will do: to bound an immersed disk is a property of the curve, not of the triangles that show it.
 
 *How it is decided.*  In doubles with bounds on all rounding errors; a vertex that is in doubt, once more in sixteen
 pieces.  The few elements still in doubt are decided in whole numbers: doubles of the range that frames may have
 are multiples of 2**-252, and a root of a quadratic is a + b sqrt(d), whose sign needs no root.  No code is shared with
 the rest of tween.
 
-Legend: ``a b`` a place at s = 0 and at s = 1; ``u w`` edges at a vertex; ``c0 c1 c2`` Bernstein coefficients, ``e0 e1 e2``
-bounds of their errors; ``f`` frame; ``m`` number of triangles; ``x`` = s / (1-s).
+Legend: ``a b`` a place at s = 0 and at s = 1; ``u w`` edges at a vertex; ``c0 c1 c2`` Bernstein coefficients, ``e0 e1
+e2`` bounds of their errors; ``f`` frame; ``m`` number of triangles; ``x`` = s / (1-s).
 
 References
 ----------
@@ -81,9 +81,7 @@ class Breach(NamedTuple):
     element: int
 
 
-def breaches(
-    start: NDArray[np.float64], end: NDArray[np.float64], triangles: NDArray[np.int64]
-) -> list[Breach | None]:
+def breaches(start: NDArray[np.float64], end: NDArray[np.float64], triangles: NDArray[np.int64]) -> list[Breach | None]:
     """Find where straight motion from shapes to shapes first breaks a rule, under triangles valid at both.
 
     Parameters

@@ -126,16 +126,16 @@ def align(source: Any, target: Any, shifts: Shifts = "pivots") -> Alignment:
     first, second, *origins = equal_counts(source, target)
     n = len(first)
     if shifts == "pivots":
-        return match(first, second, *pivot_shift(first, second), *origins)
+        return renumbered(first, second, *pivot_shift(first, second), *origins)
     if shifts != "all":
-        return match(first, second, int(shifts) % n, None, *origins)
+        return renumbered(first, second, int(shifts) % n, None, *origins)
     found = least_distorted(first, second)
     if found is None:
         raise IncompatibleError(
             f"the curves have no common triangulation under any of {n} renumberings; shifts='pivots' needs none"
         )
     shift, shared = found
-    return match(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, None, *origins)
+    return renumbered(shared, Triangulation(second.points, (shared.triangles + shift) % n), shift, None, *origins)
 
 
 def check_shifts(shifts: Shifts) -> None:
@@ -154,7 +154,7 @@ def check_shifts(shifts: Shifts) -> None:
         raise ValueError(f"shifts is {shifts!r}, expected 'pivots', 'all' or a whole number")
 
 
-def match(
+def renumbered(
     first: Triangulation,
     second: Triangulation,
     shift: int,

@@ -26,6 +26,7 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.morph import Motion
 
 _STEPS, _FEWEST_STEPS = 256, 32  # by which the rotation is integrated, in each stretch without flips
@@ -67,6 +68,19 @@ class Steady:
         shapes = self._motion.at(t)
         _place(shapes, t, self._turn.at(t), self._ends, self._keeps_size)
         return shapes
+
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        """Prove what the motion before it was placed can prove, allowing for the errors of placing.
+
+        Parameters
+        ----------
+        placing : Placing
+
+        Returns
+        -------
+        Doubt, or (float, float)
+        """
+        return self._motion.first_doubt(placing)
 
     @cached_property
     def _ends(self) -> NDArray[np.float64]:

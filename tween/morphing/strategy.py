@@ -1,16 +1,20 @@
 """Morphs between any two immersed disks: one call, from curves or triangulations to moving shapes.
 
-Both shapes are validated and triangulated once, at the door.  Then everything is computed from the one that comes
-first (`shape_order`) to the other, and reversed where the caller wants it the other way: so a morph is symmetric, however
-ties are broken inside.
+`morph` is the best morph there is; `paper_morph` is the paper's, as printed.  A shape is validated and triangulated
+once, at the door.
+
+`morph` computes everything from the one of the two that comes first (`.shape_order`) to the other, and reverses that
+where the caller wants it the other way: so it is symmetric to the last bit, however ties are broken inside.
+`paper_morph` does not.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.choices import ORDERS, PATHS, STRATEGIES, Order, Path, Root, Shifts, Strategy
+from tween.choices import ORDERS, PATHS, PLACEMENTS, STRATEGIES, Order, Path, Placement, Root, Shifts, Strategy
 from tween.errors import IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
@@ -20,19 +24,23 @@ from tween.morphing.alignment import (
     common,
     equal_counts,
     least_distorted,
-    match,
+    renumbered,
 )
 from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.incompatible.flip_sequence import FlipSequence, crossings_by_shift, flip_sequence
+from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
-from tween.morphing.morph import Morph
+from tween.morphing.matching.match import Match, match
+from tween.morphing.morph import Morph, Motion
+from tween.morphing.placement import Steady
 from tween.morphing.shape_order import comes_later
 from tween.triangulating.compatibility import compatible_shift, match_rows
 from tween.triangulating.flips import flip_in_place
 
-# What "auto" takes upon itself in search of a common triangulation, some seconds each.
+Shape = Triangulation | Curve | ArrayLike
+
+# Where no match is complete, what "auto" takes upon itself in search of a common triangulation, some seconds each.
 _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
 _MOST_PAIRS = 2**17  # in one joint table
 
@@ -44,9 +52,10 @@ class _Choices(NamedTuple):
     """How a morph moves; `exchanged` says that the caller wants it from the target to the source."""
 
     path: Path
-    root: Root
     guarantee: bool
-    order: Order = "partial"
+    placement: Placement
+    root: Root
+    order: Order = "sequential"
     exchanged: bool = False
 
     @property
@@ -58,43 +67,41 @@ class _Choices(NamedTuple):
 
 
 def morph(
-    source: Triangulation | Curve | ArrayLike,
-    target: Triangulation | Curve | ArrayLike,
-    path: Path = "slide",
-    root: Root = "disk-center",
-    guarantee: bool = False,
+    source: Shape,
+    target: Shape,
+    path: Path = "metric",
+    guarantee: bool = True,
     strategy: Strategy = "auto",
-    order: Order = "partial",
-    shifts: Shifts = "pivots",
+    placement: Placement = "steady",
+    root: Root = "disk-center",
+    landmarks: Sequence[tuple[int, int]] | None = None,
 ) -> Morph:
     """Morph one immersed disk into another.
 
     Parameters
     ----------
     source, target : Triangulation, Curve or array_like of shape (n, 2)
-        Where they have different numbers of vertices, vertices are inserted on the one with fewer, see
-        `align`.  A curve stands for its constrained Delaunay triangulation.
-    path : {"slide", "linear", "angle", "area", "metric"}
-        How third vertices move, see `.paths`; the first two are the paper's.
-    root : {"disk-center", "tree-center"} or int
-        Where the motion spreads from: the triangle closest to the centre of the disk (the paper's
-        choice), the centre of the dual tree, or a triangle of the source by number.
+        Vertices are inserted on edges where the match asks for it.  A triangulation says which immersed disk is meant,
+        where its curve bounds several; a curve leaves that open.
+    path : {"metric", "slide", "linear", "angle", "area"}
+        How third vertices move, see `.paths`; slide and linear are the paper's.
     guarantee : bool
-        Whether angle budgets keep the shapes on the way boundaries of immersed disks, see `.angle_budgets`.
-        Without it only the path "angle" does, where there are no flips.
-    strategy : {"auto", "paper", "common"}
-        "paper": if no renumbering makes the two triangulations compatible, match pivots and flip
-        gradually (Section 6).  "common": retriangulate both curves with a triangulation that is valid in
-        both, the least distorting one, under the pivots' correspondence or, if there is none, under
-        any; no flips.  "auto": for curves "common" where that is possible, otherwise "paper"; above 200
-        vertices only the pivots' correspondence is tried, above 500 only where the joint table stays small.
-        Triangulations that were given are kept ("paper").
-    order : {"partial", "sequential"}
-        Whether flips that do not depend on each other wait for each other, see `.flow`.
-    shifts : {"pivots", "all"} or int
-        Which vertices correspond.  "pivots": as above.  "all": of all renumberings the one whose common
-        triangulation distorts least, or, where triangulations are flipped, that with fewest crossings.
-        A number k: vertex i of the source and vertex (i + k) mod n of the target, inserted vertices counted.
+        Whether every shape on the way is to bound an immersed disk, see `.angle_budgets`.  Without it only the path
+        "angle" sees to that, where there are no flips.
+    strategy : {"auto", "matched", "common", "paper"}
+        "matched": the best correspondence and the best common triangulation together, see `match`; in the rare case
+        that there is none of all vertices, flips do the rest.  "common": pivots matched, or else any renumbering, and
+        the least distorting triangulation that is then valid in both.  "paper": pivots matched, remeshed
+        triangulations, flips (Section 6).  "auto": two triangulations that are compatible keep their triangles;
+        otherwise "matched" where that needs no flips, or else "common" where that is possible, or else "paper".
+    placement : {"steady", "root"}
+        How large and where each shape is: by `.placement`, so that area and centre change linearly and nothing
+        turns without need; or by the root triangle, as in the paper.
+    root : {"disk-center", "tree-center"} or int
+        Where the motion spreads from: the triangle closest to the centre of the disk (the paper's choice), the centre
+        of the dual tree, or a triangle of the morph's source by number.
+    landmarks : sequence of (int, int), optional
+        Vertices of the source and of the target that have to correspond; for "matched".
 
     Returns
     -------
@@ -107,18 +114,85 @@ def morph(
     NotSelfOverlappingError
         Where a curve bounds no immersed disk; the message says which of the two, and why.
     IncompatibleError
-        Where `strategy` is "common" and there is no common triangulation.
+        Where `strategy` is "common" and there is no common triangulation; where landmarks allow no match.
 
     Notes
     -----
     Every triangle in force stays counter-clockwise at all times.  That alone does not make every shape
     the boundary of an immersed disk, as the paper has it: angles around a vertex may add up to more than
-    2 pi on the way.  With `guarantee` they do not; it costs a few times the plain path.
+    2 pi on the way.  With `guarantee` they do not.
+
+    Examples
+    --------
+    >>> m = morph([[0, 0], [4, 0], [4, 1], [1, 1], [1, 3], [0, 3]], [[0, 0], [3, 0], [3, 2], [0, 2]])
+    >>> len(m.source), m.source_vertices.tolist(), m.events
+    (6, [0, 1, 2, 3, 4, 5], [])
+
+    References
+    ----------
+    Mukherjee and Gopi, Sections 5 and 6; Section 8 leaves the matching open.
+    """
+    _check_words(path=(path, PATHS), strategy=(strategy, STRATEGIES), placement=(placement, PLACEMENTS))
+    if landmarks is not None and strategy not in ("auto", "matched"):
+        raise ValueError(f"landmarks are for the strategy 'matched', but strategy is {strategy!r}")
+    choices = _Choices(path, guarantee, placement, root)
+    if landmarks is None and strategy == "auto" and _are_compatible(source, target):
+        strategy = "paper"
+    if strategy in ("auto", "matched"):
+        found = match(source, target, landmarks)
+        if found.complete or strategy == "matched" or landmarks is not None:
+            return _in_order(_from_match(found), choices)
+    first, second, *origins = equal_counts(source, target)
+    if comes_later(first, origins[0], second, origins[1]):
+        return _between(_aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
+    return _between(_aligned(strategy, first, second, origins), choices)
+
+
+def paper_morph(
+    source: Shape,
+    target: Shape,
+    path: Path = "slide",
+    root: Root = "disk-center",
+    *,
+    order: Order = "sequential",
+    shifts: Shifts = "pivots",
+) -> Morph:
+    """Morph one immersed disk into another as the paper does: Sections 5 and 6 as printed.
+
+    Curves are triangulated by Algorithm 1.  Where the two triangulations are compatible under some renumbering, that is
+    the correspondence; otherwise pivots are matched and edges flipped in sequence, as soon as the moving shape allows.
+    The root triangle places the shapes, and nothing keeps angle sums below 2 pi.
+
+    Parameters
+    ----------
+    source, target : Triangulation, Curve or array_like of shape (n, 2)
+        Vertices are inserted on the one with fewer, see `align`.
+    path : {"slide", "linear", ...}
+        The first two are the paper's.
+    root : {"disk-center", "tree-center"} or int
+        The first is the paper's.
+    order : {"sequential", "partial"}
+        Whether each flip waits for the one before it, as in the paper, or only for those that touch its triangles.
+    shifts : {"pivots", "all"} or int
+        Which vertices correspond where the triangulations are incompatible: by pivots, as in the paper; of all
+        renumberings the one with fewest crossings; or vertex i of the source and vertex (i + shifts) mod n of the
+        target, inserted vertices counted.
+
+    Returns
+    -------
+    Morph
+
+    Raises
+    ------
+    CurveError
+        Where the input is no curve.
+    NotSelfOverlappingError
+        Where a curve bounds no immersed disk; the message says which of the two, and why.
 
     Examples
     --------
     >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
-    >>> m = morph(T, T.on_disk())
+    >>> m = paper_morph(T, T.on_disk())
     >>> m.frames(5).shape, bool((m(0) == T.points).all())
     ((5, 4, 2), True)
 
@@ -126,23 +200,20 @@ def morph(
     ----------
     Mukherjee and Gopi, Sections 5 and 6.
     """
-    _check_options(path, strategy, order, shifts)
+    _check_words(path=(path, PATHS), order=(order, ORDERS))
+    check_shifts(shifts)
     first, second, *origins = equal_counts(source, target)
-    given = isinstance(source, Triangulation) or isinstance(target, Triangulation)
-    choices = _Choices(path, root, guarantee, order)
-    if comes_later(first, origins[0], second, origins[1]):
-        turned = shifts if isinstance(shifts, str) else -int(shifts)
-        alignment = _aligned(strategy, second, first, origins[::-1], turned, given)
-        return _between(alignment, choices._replace(exchanged=True))
-    return _between(_aligned(strategy, first, second, origins, shifts, given), choices)
+    alignment = renumbered(first, second, *_flipping_shift(first, second, shifts), *origins)
+    return _between(alignment, _Choices(path, False, "root", root, order))
 
 
 def morph_compatible(
     source: Triangulation,
     target: Triangulation,
-    path: Path = "slide",
+    path: Path = "metric",
+    guarantee: bool = True,
+    placement: Placement = "steady",
     root: Root = "disk-center",
-    guarantee: bool = False,
 ) -> Morph:
     """Morph between two triangulations with the same triangles, vertex i to vertex i.
 
@@ -150,7 +221,7 @@ def morph_compatible(
     ----------
     source, target : Triangulation
         With the same triangles, in any order.
-    path, root, guarantee
+    path, guarantee, placement, root
         As for `morph`.
 
     Returns
@@ -169,77 +240,80 @@ def morph_compatible(
     Examples
     --------
     >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
-    >>> morph_compatible(T, T.moved(2 * T.points))(0.5)[2].tolist()
-    [1.5, 1.5]
+    >>> morph_compatible(T, T.moved(2 * T.points)).frames(3)[1].round(3).tolist()
+    [[-0.079, -0.079], [1.502, -0.079], [1.502, 1.502], [-0.079, 1.502]]
 
     References
     ----------
     Mukherjee and Gopi, Section 5.
     """
-    _check_options(path)
+    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
     if source.triangles is not target.triangles and not np.array_equal(source.canonical, target.canonical):
-        raise IncompatibleError("the two triangulations have different triangles; tween.morph finds a way between them")
+        raise IncompatibleError("the two triangulations have different triangles; tween.morph takes any two shapes")
     every = np.arange(len(source))
-    choices = _Choices(path, root, guarantee)
-    if comes_later(source, every, target, every):
-        return _between(Alignment(target, source, 0, every, every, None, 0), choices._replace(exchanged=True))
-    return _between(Alignment(source, target, 0, every, every, None, 0), choices)
+    return _in_order(Alignment(source, target, 0, every, every, None, 0), _Choices(path, guarantee, placement, root))
 
 
-def _check_options(path: str, strategy: str = "auto", order: str = "partial", shifts: Shifts = "pivots") -> None:
-    check_shifts(shifts)
-    for name, value, allowed in (
-        ("path", path, PATHS),
-        ("strategy", strategy, STRATEGIES),
-        ("order", order, ORDERS),
-    ):
+def _check_words(**given: tuple[str, Sequence[str]]) -> None:
+    for name, (value, allowed) in given.items():
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
+
+
+def _in_order(alignment: Alignment, choices: _Choices) -> Morph:
+    """Compute a morph from the one of the two shapes that comes first."""
+    source, target, *origins = alignment.source, alignment.target, alignment.source_vertices, alignment.target_vertices
+    if comes_later(source, origins[0], target, origins[1]):
+        return _between(alignment.exchanged(), choices._replace(exchanged=True))
+    return _between(alignment, choices)
 
 
 # Correspondence
 
 
 def _aligned(
-    strategy: Strategy,
-    first: Triangulation,
-    second: Triangulation,
-    origins: list[NDArray[np.int64]],
-    shifts: Shifts,
-    given: bool,
+    strategy: Strategy, first: Triangulation, second: Triangulation, origins: list[NDArray[np.int64]]
 ) -> Alignment:
-    """Match two triangulations; where they were given, not made from curves, "auto" keeps them."""
-    if strategy == "common" or (strategy == "auto" and not given):
-        found = _common_shift(first, second, shifts, everywhere=strategy == "common")
+    """Bring two triangulations together without a match: by a common triangulation, or as the paper does."""
+    if strategy != "paper":
+        found = _common_shift(first, second, everywhere=strategy == "common")
         if found is not None:
             shift, shared, pivot = found
             same = Triangulation(second.points, (shared.triangles + shift) % len(first))
-            return match(shared, same, shift, pivot, *origins)
+            return renumbered(shared, same, shift, pivot, *origins)
         if strategy == "common":
-            tried = "the renumbering asked for" if isinstance(shifts, int) else f"any of the {len(first)} renumberings"
             raise IncompatibleError(
-                f"strategy 'common' is impossible: the curves have no common triangulation under {tried}; "
-                "strategy='paper' flips on the way"
+                "strategy 'common' is impossible: the curves have no common triangulation under any of the "
+                f"{len(first)} renumberings; strategy='matched' inserts vertices, and strategy='paper' flips on the way"
             )
-    return match(first, second, *_flipping_shift(first, second, shifts), *origins)
+    return renumbered(first, second, *_flipping_shift(first, second, "pivots"), *origins)
 
 
 def _common_shift(
-    first: Triangulation, second: Triangulation, shifts: Shifts, everywhere: bool
+    first: Triangulation, second: Triangulation, everywhere: bool
 ) -> tuple[int, Triangulation, int | None] | None:
     """The (shift, triangulation, pivot) of a common triangulation, None where none was found.
 
     Unless it is to be looked for everywhere, where that takes long it is not.
     """
-    if shifts != "all":
-        shift, pivot = pivot_shift(first, second) if shifts == "pivots" else (shifts % len(first), None)
-        shared = common(first, second.rolled(shift), None if everywhere else _MOST_PAIRS)
-        if shared is not None:
-            return shift, shared, pivot
-        if shifts != "pivots" or not (everywhere or len(first) <= _MOST_RENUMBERED):
-            return None
-    found = least_distorted(first, second)
+    shift, pivot = pivot_shift(first, second)
+    shared = common(first, second.rolled(shift), None if everywhere else _MOST_PAIRS)
+    if shared is not None:
+        return shift, shared, pivot
+    found = least_distorted(first, second) if everywhere or len(first) <= _MOST_RENUMBERED else None
     return (*found, None) if found is not None else None
+
+
+def _are_compatible(source: Shape, target: Shape) -> bool:
+    """Whether both are triangulations, and the same but for a renumbering."""
+    if not (isinstance(source, Triangulation) and isinstance(target, Triangulation) and len(source) == len(target)):
+        return False
+    return compatible_shift(source, target) is not None
+
+
+def _from_match(found: Match) -> Alignment:
+    crossings = 0 if found.complete else count_crossings(found.source, found.target)
+    return Alignment(found.source, found.target, 0, found.source_vertices, found.target_vertices, None, crossings)
 
 
 def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts) -> tuple[int, int | None]:
@@ -281,9 +355,14 @@ def _between(alignment: Alignment, choices: _Choices) -> Morph:
 
 def _moved(alignment: Alignment, choices: _Choices) -> Morph:
     """Move straight where the triangles are the same, and through flips where they are not."""
-    if alignment.crossings == 0:
-        return Morph(_Compatible(_straight(alignment, choices)), alignment, proof=choices.proof)
-    return _gradual(alignment, choices)
+    if alignment.crossings > 0:
+        return _gradual(alignment, choices)
+    motion = _placed(_Compatible(_straight(alignment, choices)), choices)
+    return Morph(motion, alignment, proof=choices.proof)
+
+
+def _placed(motion: Motion, choices: _Choices) -> Motion:
+    return motion if choices.placement == "root" else Steady(motion, keeps_size=choices.path == "area")
 
 
 def _straight(alignment: Alignment, choices: _Choices) -> Leg:
@@ -304,7 +383,9 @@ def _gradual(alignment: Alignment, choices: _Choices) -> Morph:
     flows = [Flow(shapes[i], sequences[i], path, roots[i], order, guarantee) for i in (0, 1)]
     through = 1 if flows[1].end <= flows[0].end else 0
     motion = Through(shapes[1 - through], flows[through], path, roots[1 - through], guarantee)
-    return Morph(motion, alignment, (flows[0].end, flows[1].end), choices.proof, backwards=through == 0)
+    return Morph(
+        _placed(motion, choices), alignment, (flows[0].end, flows[1].end), choices.proof, backwards=through == 0
+    )
 
 
 def _flow_roots(

@@ -48,9 +48,8 @@ def save_animation(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
 ) -> Path:
-    """Save a morph as an animation that goes round endlessly.
+    """Save a morph as an animation that goes round endlessly, all shapes at one scale.
 
     Parameters
     ----------
@@ -58,8 +57,8 @@ def save_animation(
         Its suffix is one of `formats`.  The file is written whole or not at all.
     m : Morph
     frames : int
-        Shapes from the source to the target, both included, at least 2; a way back shows the same ones.  In SVG and HTML
-        they only say how long it takes: the shapes are those of `tween.playback`.
+        Shapes from the source to the target, both included, at least 2; a way back shows the same ones.  In SVG and
+        HTML they only say how long it takes: the shapes are those of `tween.playback`.
     fps : float
         Frames a second, from 0.1 to 100; in a GIF up to 50.
     size : int or (int, int)
@@ -73,8 +72,6 @@ def save_animation(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others.
 
     Returns
     -------
@@ -93,14 +90,15 @@ def save_animation(
     The same call writes the same bytes, as long as the libraries that encode are the same.  Frames of a GIF, PNG or
     WebP that look exactly alike become one that lasts as long.
 
-    SVG and HTML move straight from shape to shape, and every instant of that is verified, after rounding, where the morph
-    allows it.  They hold the triangles, too, so that `tween.read_frames` and the command ``tween certify`` can check
-    what is played.
+    SVG and HTML move straight from shape to shape, and every instant of that is verified, after rounding, where the
+    morph allows it.  They hold the triangles, too, so that `tween.read_frames` and the command ``tween certify`` can
+    check what is played.
 
     Examples
     --------
-    >>> from tween import gallery, morph
-    >>> m = morph(*gallery.pair("spiral_to_ess"))
+    >>> from tween import gallery, morph, triangulate
+    >>> T = triangulate(gallery.curve("ess"))
+    >>> m = morph(T, T.on_disk())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = save_animation(Path(folder) / "ess.gif", m, frames=5, size=90)
     ...     with Image.open(file) as image:
@@ -109,7 +107,7 @@ def save_animation(
     """
     check_format(path, fps)
     moving = Path(path).suffix.lower() in _MOVING
-    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale, verified=moving)
+    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, verified=moving)
     return whole_files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
 
 

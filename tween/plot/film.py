@@ -5,11 +5,12 @@ A film holds each shape on the way once, in pixels, and says which of them is sh
     number    0   1   2  ...  k-2  k-1  k-2  ...  1   0
     seconds  rest  one / fps each  rest  one / fps each
 
-What is drawn picture by picture has shapes evenly spaced on the clock.  What a player moves straight from one shape to the
-next takes, where it can, those of a `tween.measuring.playback`, of the shapes as they are on the canvas: so all that is
-played is verified.
+What is drawn picture by picture has shapes evenly spaced on the clock.  What a player moves straight from one shape
+to the next takes, where it can, those of a `tween.measuring.playback`, of the shapes as they are on the canvas: so
+all that is played is verified.
 
-Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``s`` the clock, from 0 to 1 on the way there; ``t`` time of the morph.
+Legend: ``k`` shapes, ``n`` vertices, ``j`` pictures shown; ``s`` the clock, from 0 to 1 on the way there; ``t`` time
+of the morph.
 """
 
 from collections.abc import Callable
@@ -107,7 +108,7 @@ class Film:
 
     @property
     def seconds(self) -> NDArray[np.float64]:
-        """How long each of those is shown, evenly spaced, shape (j,); the source rests at the start only, as all goes round."""
+        """How long each of those is shown, evenly spaced, shape (j,); as the film goes round, the source rests once."""
         seconds = np.full(len(self.numbers), 1 / self.fps)
         seconds[[0, len(self.times) - 1]] += self.hold
         return seconds
@@ -123,10 +124,9 @@ def record(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
     verified: bool = False,
 ) -> Film:
-    """Lay out a morph on a canvas.
+    """Lay out a morph on a canvas, all shapes at one scale.
 
     Parameters
     ----------
@@ -146,11 +146,9 @@ def record(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others, and in the middle.
     verified : bool
-        Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly spaced; they
-        take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
+        Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
+        spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
 
     Returns
     -------
@@ -171,7 +169,7 @@ def record(
     """
     _check_options(m, frames, fps, size, style, hold, background)
     clock = np.linspace(0.0, 1.0, frames)
-    stage = _Stage(m, ease, one_scale, size, clock)
+    stage = _Stage(m, ease, size, clock)
     trouble, lists = "", None
     if verified:
         try:
@@ -208,12 +206,9 @@ def record(
 class _Stage:
     """A morph by the clock, in pixels with y upwards: below the upper left corner of the canvas y is negative."""
 
-    def __init__(
-        self, m: Morph, ease: bool, one_scale: bool, size: int | tuple[int, int], clock: NDArray[np.float64]
-    ) -> None:
+    def __init__(self, m: Morph, ease: bool, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
         self._m, self._ease = m, ease
-        self._prepared = (lambda shapes: shapes) if one_scale else _alike
-        self._placed, self.width, self.height = _on_canvas(self._prepared(m.at(self.eased(clock))), size)
+        self._placed, self.width, self.height = _on_canvas(m.at(self.eased(clock)), size)
         self.events = [event._replace(time=self._uneased(event.time)) for event in m.events]
 
     def eased(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -223,10 +218,10 @@ class _Stage:
         return 0.5 - sin(asin(1 - 2 * t) / 3) if self._ease else t
 
     def at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._placed(self._prepared(self._m.at(self.eased(s))))
+        return self._placed(self._m.at(self.eased(s)))
 
     def triangles_at(self, s: float) -> NDArray[np.int64]:
-        return self._m.triangles_at(float(self.eased(np.float64(s))))
+        return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
 
 
 def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:
@@ -270,12 +265,6 @@ def _bytes(color: str) -> NDArray[np.float64]:
 def _color(color: str) -> Color:
     red, green, blue = np.rint(_bytes(color)).astype(int).tolist()
     return red, green, blue
-
-
-def _alike(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The shapes made equally large, and their middles put in one place."""
-    low, high = shapes.min(axis=1, keepdims=True), shapes.max(axis=1, keepdims=True)
-    return (shapes - 0.5 * (low + high)) / (high - low).max(axis=2, keepdims=True)
 
 
 def _on_canvas(

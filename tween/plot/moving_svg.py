@@ -1,10 +1,11 @@
 """Films as text: an SVG that moves by itself, and a page with a player.
 
 The longer side of the canvas has 5000 units and coordinates are whole numbers of them: four significant digits.
-Straight motion between the rounded outlines is verified; where rounding breaks it, they have units ten times as fine, and so on.
-One path for each triangle and one for the outline go through all frames, and a browser interpolates between
-these; the corner that a flip moves slides to its new vertex from one frame to the next.  The triangles in force are written
-down beside the drawing, so that `tween.read_frames` gets back what is played, and `tween.verify` can check it.
+Straight motion between the rounded outlines is verified; where rounding breaks it, they have units ten times as fine,
+and so on. One path for each triangle and one for the outline go through all frames, and a browser interpolates
+between these; the corner that a flip moves slides to its new vertex from one frame to the next.  The triangles in
+force are written down beside the drawing, so that `tween.read_frames` gets back what is played, and `tween.verify`
+can check it.
 """
 
 import json
@@ -136,9 +137,8 @@ def _drawing(
         lines += [fill + path for fill, path in zip(fills, triangles, strict=True)]
         lines.append("</g>")
     elif film.style == "fill":  # without smoothed edges, so that neighbours leave no seam
-        lines.append(
-            f'<g class="triangles"{scales[0]} fill="{first}" fill-opacity="{OPACITY}" shape-rendering="crispEdges">{tint}'
-        )
+        fill = f'fill="{first}" fill-opacity="{OPACITY}" shape-rendering="crispEdges"'
+        lines.append(f'<g class="triangles"{scales[0]} {fill}>{tint}')
         lines += ["<path " + path for path in triangles]
         lines.append("</g>")
     color, tint = (first, tint) if film.style == "outline" else (_hex(film.ink), "")
@@ -148,7 +148,7 @@ def _drawing(
 
 
 def _finer(film: Film) -> int:
-    """How much finer units have to be for straight motion between rounded outlines to be verified; 1 where none will do."""
+    """How much finer units have to be for rounded outlines to be verified; 1 where none will do."""
     finer = 1
     while finer <= _FINEST:
         if verify(_rounded(film, finer) * [1.0, -1.0], film.triangles, film.clock, between="linear"):

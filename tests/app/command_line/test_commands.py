@@ -118,17 +118,18 @@ def test_triangulate_writes_the_triangulation_asked_for(options: str, expected: 
     ("line", "options"),
     [
         ("", {"path": "metric", "guarantee": True}),
-        ("--path slide --no-guarantee", {}),
+        ("--path slide --no-guarantee --strategy paper", {"path": "slide", "guarantee": False, "strategy": "paper"}),
         ("--path area --root tree-center", {"path": "area", "root": "tree-center", "guarantee": True}),
         ("--root 3 --strategy paper", {"path": "metric", "root": 3, "strategy": "paper", "guarantee": True}),
-        ("--shifts 5 --strategy paper", {"path": "metric", "shifts": 5, "strategy": "paper", "guarantee": True}),
+        ("--strategy common --placement root", {"strategy": "common", "placement": "root"}),
+        ("--landmark 0:0", {"landmarks": [(0, 0)]}),
     ],
 )
 def test_morph_writes_the_morph_of_the_library(line: str, options: Any, run: Run) -> None:
     status, out, err = run(f"morph gallery:arrow gallery:ell -o m.npz --frames 7 {line}")
     assert (status, err) == (0, "")
     m = tween.morph(gallery.curve("arrow"), gallery.curve("ell"), **options)
-    assert f"wrote m.npz: 7 frames of 47 vertices, {len(m.events) or 'no'} flips" in out
+    assert f"wrote m.npz: 7 frames of {len(m.source)} vertices, {len(m.events) or 'no'} flips" in out
     assert np.array_equal(io.read_frames("m.npz")[0], m.frames(7))
 
 
@@ -150,14 +151,14 @@ def test_certify_says_whether_every_shape_bounds_a_disk(run: Run) -> None:
     assert run("certify m.npz")[0] == 1
     status, out, _ = run(f"{line} --certify")
     assert status == 0
-    assert out.splitlines()[-1].endswith("certified")
+    assert out.splitlines()[-1].endswith("checked for every instant of playback at 61 frames")
     assert run("certify m.npz")[0] == 0
 
 
 def test_without_certify_the_last_line_says_what_is_known(run: Run) -> None:
     line = "morph gallery:ell disk --frames 2 -o m.npz"
-    assert run(line)[1].endswith("safe by construction\n")
-    assert run(f"{line} --no-guarantee")[1].endswith("not certified (--certify checks it)\n")
+    assert run(line)[1].endswith("promised to be valid, not checked (--certify checks it)\n")
+    assert run(f"{line} --no-guarantee")[1].endswith("no flips, not checked (--certify checks it)\n")
 
 
 def test_the_options_of_the_film_reach_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -193,7 +194,7 @@ def test_frames_that_were_tampered_with_are_refuted(run: Run) -> None:
     assert run("morph gallery:ell disk -o m.json --frames 5")[0] == 0
     status, out, _ = run("certify m.json")
     assert status == 0
-    assert out.startswith("m.json: valid\n")
+    assert out.startswith("m.json: valid at every instant of playback\n")
     facts = json.loads(run("certify m.json --json")[1])
     assert facts["valid"]
     assert (facts["first_failure"], facts["frames_checked"]) == (None, 5)
@@ -227,7 +228,7 @@ def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
     for name in ("loop.gif", "loop.svg"):
         status, out, err = run(f"{way} -o {name}")
         assert (status, err) == (0, "")
-        assert out.startswith("valid\n")
+        assert out.startswith("valid at every instant of playback\n")
     with Image.open("loop.gif") as film:
         assert film.n_frames == 5 + 4  # there, and back
     assert ElementTree.parse("loop.svg").getroot().tag == "{http://www.w3.org/2000/svg}svg"

@@ -38,7 +38,14 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.choices import Path
-from tween.morphing.compatible.paths import base_angles, corner_angles, path_lengths, slides, third_angle, third_vertices
+from tween.morphing.compatible.paths import (
+    base_angles,
+    corner_angles,
+    path_lengths,
+    slides,
+    third_angle,
+    third_vertices,
+)
 
 _ROUNDING = 2.0**-47  # relative, added to the boxes: more than the rounding of z
 _ROUNDING_OF_LENGTHS = 1e-7  # relative: the square root of what rounding makes of a difference of squares

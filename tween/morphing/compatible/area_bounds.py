@@ -163,9 +163,7 @@ def _shape(i, f, t0, t1, h, growth, v, above, below, low, high, slow, fast):
     high[i, 1, f] = math.atan2(h[1], 1.0 - another - _FOOT_ERROR)
     low[i, 2, f] = min(third_angle(much, h[1]), third_angle(another, h[1]))
     upright = over[0] <= math.pi <= over[1]
-    high[i, 2, f] = (
-        third_angle(0.5, h[0]) if upright else max(_third_at_most(few, h[0]), _third_at_most(other, h[0]))
-    )
+    high[i, 2, f] = third_angle(0.5, h[0]) if upright else max(_third_at_most(few, h[0]), _third_at_most(other, h[0]))
     _rates_of_angles(i, f, (growth[0] - 2.0 * v[1], growth[1] - 2.0 * v[0]), turn, low, high, slow, fast)
     return turn
 

@@ -260,7 +260,9 @@ def _spend(corners, children, low, high, f, near, errors, edges, spent):
         spent[c] += of_z
         for s in range(3 if i == 0 else 2):
             if children[i, s] < 0:
-                p, q, length = (b, c, edges[i, 0]) if s == 0 else ((c, a, edges[i, 1]) if s == 1 else (a, b, near[0, f]))
+                p, q, length = (
+                    (b, c, edges[i, 0]) if s == 0 else ((c, a, edges[i, 1]) if s == 1 else (a, b, near[0, f]))
+                )
                 turn = 1.6 * (errors[p] + errors[q]) / length if length > 0.0 else math.inf
                 spent[p] += turn
                 spent[q] += turn

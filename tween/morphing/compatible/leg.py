@@ -18,7 +18,6 @@ from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_cente
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds, within_budgets
 from tween.morphing.compatible.angle_budgets import (
-    Budgets,
     default_reserve,
     keep_to_budget,
     left_over,
@@ -151,7 +150,11 @@ class Leg:
         self._slack = left
         if self._path == "area":
             self.area_path = kept_below_full_turn(
-                self.area_path, self._corners, left, self._angles_at, lambda path: self._doubtful(path, left.min(axis=0))
+                self.area_path,
+                self._corners,
+                left,
+                self._angles_at,
+                lambda path: self._doubtful(path, left.min(axis=0)),
             )
         elif self._path != "angle":
             kept = np.minimum(left, default_reserve(self._corners, *self._angles) if reserve is None else reserve)
@@ -211,9 +214,7 @@ class Leg:
         """Angles at a, b, c of every triangle in tree order along the path "area", (m, 3, k)."""
         return np.asarray(corner_angles(self._lay_out(t, path)[1]))
 
-    def _lay_out(
-        self, t: NDArray[np.float64], path: AreaPath
-    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    def _lay_out(self, t: NDArray[np.float64], path: AreaPath) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         by_area = self._path == "area"
         if by_area:
             z = np.empty((len(self._corners), len(t)), np.complex128)

@@ -46,9 +46,7 @@ class Clock:
         ends[-1] = 1.0
         self.starts: list[float] = ends.tolist()
         self._shares = [share for share, _ in measured]
-        self._ways = [
-            way / way[-1] if way[-1] > 0 else share for way, share in zip(ways, self._shares, strict=True)
-        ]
+        self._ways = [way / way[-1] if way[-1] > 0 else share for way, share in zip(ways, self._shares, strict=True)]
 
     def places(self, t: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
         """Tell in which piece times lie, and where in it.

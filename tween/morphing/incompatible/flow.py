@@ -228,7 +228,6 @@ class Flow:
             first = first_convex(shapes, quads, rooms)
         return float(shares[first]), shapes[first]
 
-
     def _rooms(self, quads: NDArray[np.int64]) -> NDArray[np.float64]:
         """Tangents of the least turns at a and b, (q, 2); on the disk there is twice that room."""
         return np.tan(np.minimum(_ROOM, 0.5 * _turns(self._disk, quads)))

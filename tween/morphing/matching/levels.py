@@ -1,0 +1,333 @@
+r"""From coarse to fine: one level of the matching, and the way from each to the next.
+
+At the first level both curves are simplified and the product table is solved in full, with evenly spaced candidates.
+At every further one there are more vertices, the candidates are the *images* of the other curve's vertices under the
+last correspondence, and the table is narrow: a position may be matched with the few that lie around its image, and
+only chords near the last triangulation take part, see `.reach`.
+
+Legend: ``S T`` the shapes; an *arc* is a place along the whole curve, as a share of its length from vertex 0.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tween.geometry.triangulation import Triangulation
+from tween.morphing.matching.chords import Chords, Disk, Positions, all_pairs, find_chords, find_splits, straight_lines
+from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
+from tween.morphing.matching.reach import near_pairs
+from tween.morphing.matching.simplify import Level, boundary, simplify
+
+_APART = 1e-9  # of the curve's length: candidates nearer to each other than this are one
+_Floats = NDArray[np.float64]
+
+
+class Shape:
+    """A disk to be matched, with what all levels need of it.
+
+    Parameters
+    ----------
+    T : Triangulation
+        Its triangles should be Delaunay: chords are walked through them.
+    fixed : ndarray of bool, shape (n,)
+        Vertices that stay at every level.
+    """
+
+    def __init__(self, T: Triangulation, fixed: NDArray[np.bool_]) -> None:
+        self.triangulation, self.fixed = T, fixed
+        edges = np.roll(T.points, -1, axis=0) - T.points
+        lengths = np.hypot(edges[:, 0], edges[:, 1])
+        self.arc = (np.cumsum(lengths) - lengths) / lengths.sum()
+        self.scaled = scaled(T)
+        self._levels: dict[int, Level] = {}
+
+    def __len__(self) -> int:
+        return len(self.arc)
+
+    def prepare(self, sizes: list[int]) -> None:
+        """Simplify to all these numbers of vertices at once."""
+        missing = sorted({size for size in sizes if size not in self._levels}, reverse=True)
+        if missing:
+            self._levels.update(zip(missing, simplify(self.triangulation, missing, self.fixed), strict=True))
+
+    def level(self, size: int) -> Level:
+        """The disk with so many vertices, or with as few as there can be."""
+        self.prepare([size])
+        return self._levels[size]
+
+    def disk(self, level: Level) -> Disk:
+        """The triangles of a level, for walks."""
+        twin = Triangulation(self.triangulation.points[level.kept], level.triangles).twin.ravel()
+        points = np.ascontiguousarray(self.triangulation.points[level.kept])
+        return Disk(points, level.triangles, twin, boundary(level.triangles, twin))
+
+    def positions(self, level: Level, candidates: _Floats) -> Positions:
+        """The vertices of a level and candidates, given by their arcs, on its edges."""
+        arc, start = self.arc[level.kept], self.arc[level.kept[0]]
+        ahead = np.append(arc - start, 1.0)
+        places = _distinct(np.sort((candidates - start) % 1.0), ahead)
+        edge = np.searchsorted(ahead, places, side="right") - 1
+        share = (places - ahead[edge]) / (ahead[edge + 1] - ahead[edge])
+        given, even = (self._between(points[level.kept], edge, share) for points in (self._points, self.scaled))
+        inside = (given != self._points[level.kept][edge]).any(axis=1)
+        inside &= (given != np.roll(self._points[level.kept], -1, axis=0)[edge]).any(axis=1)
+        places, edge, given, even = places[inside], edge[inside], given[inside], even[inside]
+        m, line = len(arc), straight_lines(np.ascontiguousarray(self._points[level.kept]))
+        order = np.argsort(np.concatenate([ahead[:-1], places]), kind="stable")
+        lines = np.concatenate([np.stack([np.roll(line, 1), line], axis=1), np.stack([line[edge]] * 2, axis=1)])
+        return Positions(
+            np.concatenate([self._points[level.kept], given])[order],
+            np.concatenate([self.scaled[level.kept], even])[order],
+            np.concatenate([np.arange(m), np.full(len(edge), -1)])[order],
+            np.concatenate([np.arange(m), edge])[order],
+            np.ascontiguousarray(lines[order]),
+            (np.concatenate([ahead[:-1], places])[order] + start) % 1.0,
+        )
+
+    @property
+    def _points(self) -> _Floats:
+        return self.triangulation.points
+
+    @staticmethod
+    def _between(points: _Floats, edge: NDArray[np.int64], share: _Floats) -> _Floats:
+        a, b = points[edge], np.roll(points, -1, axis=0)[edge]
+        return np.asarray(a + share[:, None] * (b - a))
+
+
+def scaled(T: Triangulation) -> _Floats:
+    """Points about their centre, with the disk scaled to area 1."""
+    away = T.points - T.points.mean(axis=0)
+    largest = np.abs(away).max()  # so that no square overflows
+    x, y = (away / largest).T
+    area = 0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+    return np.asarray(away / largest / np.sqrt(area))
+
+
+def _distinct(places: _Floats, vertices: _Floats) -> _Floats:
+    """Drop places too near to the one before or to a vertex."""
+    right = np.clip(np.searchsorted(vertices, places), 1, len(vertices) - 1)
+    near = np.minimum(np.abs(places - vertices[right - 1]), np.abs(vertices[right] - places))
+    places = places[near > _APART]
+    return places[np.diff(places, prepend=-1.0) > _APART]
+
+
+@dataclass(frozen=True)
+class Correspondence:
+    """Nodes along both curves and a triangulation that both share.
+
+    Attributes
+    ----------
+    source_arc, target_arc : ndarray of float64, shape (m,)
+    source_vertices, target_vertices : ndarray of int, shape (m,)
+        -1 where a candidate was used.
+    source_points, target_points : ndarray of float64, shape (m, 2)
+    triangles : ndarray of int, shape (m-2, 3)
+    cost : float
+        Energy above 4, price of stretch included.
+    """
+
+    source_arc: _Floats
+    target_arc: _Floats
+    source_vertices: NDArray[np.int64]
+    target_vertices: NDArray[np.int64]
+    source_points: _Floats
+    target_points: _Floats
+    triangles: NDArray[np.int64]
+    cost: float
+
+    @property
+    def places(self) -> tuple[tuple[_Floats, _Floats], tuple[_Floats, _Floats]]:
+        """Arcs and points of the nodes on the source, and on the target."""
+        return (self.source_arc, self.source_points), (self.target_arc, self.target_points)
+
+    @cached_property
+    def twin(self) -> NDArray[np.int64]:
+        """Half-edge across each half-edge of the triangles."""
+        return Triangulation(self.source_points, self.triangles).twin.ravel()
+
+    def to_target(self, arc: _Floats) -> _Floats:
+        """Images of places on the source."""
+        return _interpolated(arc, self.source_arc, self.target_arc)
+
+    def to_source(self, arc: _Floats) -> _Floats:
+        """Images of places on the target."""
+        return _interpolated(arc, self.target_arc, self.source_arc)
+
+
+def _interpolated(arc: _Floats, given: _Floats, wanted: _Floats) -> _Floats:
+    """Between neighbouring nodes in proportion."""
+    x, y = (np.append((a - a[0]) % 1.0, 1.0) for a in (given, wanted))
+    return np.asarray((np.interp((arc - given[0]) % 1.0, x, y) + wanted[0]) % 1.0)
+
+
+class Effort(NamedTuple):
+    """How wide a level's table is.
+
+    Attributes
+    ----------
+    band : int
+        Positions to either side of the image.
+    steps : int
+        Diagonals of the last triangulation that a chord may cross.
+    merge : float
+        An image this near to a vertex, as a share of the distance to the next, gives way to it.
+    even : int
+        Evenly spaced candidates on every edge, besides the images.
+    most : int
+        Partners of a position, more or less.
+    """
+
+    band: int
+    steps: int
+    merge: float
+    even: int
+    most: int = 120
+
+
+def first_level(
+    S: Shape, T: Shape, sizes: tuple[int, int], candidates: tuple[int, int], nodes: "Landmarks", stretch: float
+) -> list[Correspondence]:
+    """Solve the product table in full, with so many evenly spaced candidates on every edge.
+
+    Returns the best correspondence of each local minimum over the places of the source's first vertex, best first.
+    """
+    levels = S.level(sizes[0]), T.level(sizes[1])
+    places = [_even(shape.arc[level.kept], c) for shape, level, c in zip((S, T), levels, candidates, strict=True)]
+    source, target = (shape.positions(level, p) for shape, level, p in zip((S, T), levels, places, strict=True))
+    windows = Windows(
+        np.zeros(len(source.arc), dtype=np.int64),
+        np.full(len(source.arc), len(target.arc)),
+        np.empty((0, 0), dtype=bool),
+    )
+    windows = nodes.restrict(windows, source, target, levels)
+    pairs = [all_pairs(len(p.arc)) for p in (source, target)]
+    return _solve((S, T), levels, (source, target), pairs, windows, stretch)
+
+
+def _even(arc: _Floats, count: int) -> _Floats:
+    gaps = (np.roll(arc, -1) - arc) % 1.0
+    return np.asarray((arc[:, None] + gaps[:, None] * np.arange(1, count + 1) / (count + 1)).ravel() % 1.0)
+
+
+def next_level(
+    S: Shape,
+    T: Shape,
+    sizes: tuple[int, int],
+    last: Correspondence,
+    nodes: "Landmarks",
+    effort: Effort,
+    stretch: float,
+) -> Correspondence | None:
+    """Solve the table in the neighbourhood of a coarser correspondence; None where it holds nothing."""
+    levels = S.level(sizes[0]), T.level(sizes[1])
+    arcs = S.arc[levels[0].kept], T.arc[levels[1].kept]
+    source = S.positions(levels[0], _images(last.to_source(arcs[1]), arcs[0], effort))
+    target = T.positions(levels[1], _images(last.to_target(arcs[0]), arcs[1], effort))
+    windows = nodes.restrict(_band(source, target, last, effort.band), source, target, levels)
+    pairs = [
+        near_pairs(p.arc, *nodes_of, last.triangles, last.twin, effort.steps, effort.most)
+        for p, nodes_of in zip((source, target), last.places, strict=True)
+    ]
+    found = _solve((S, T), levels, (source, target), pairs, windows, stretch)
+    return found[0] if found else None
+
+
+def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
+    """Candidates: the images, less those merged with a vertex, and evenly spaced places."""
+    images = np.sort(images)
+    after = (np.roll(images, -1) - images) % 1.0
+    room = np.minimum(after, np.roll(after, 1))
+    spread = np.minimum((np.roll(vertices, -1) - vertices) % 1.0, (vertices - np.roll(vertices, 1)) % 1.0)
+    place = np.searchsorted(vertices, images)
+    near = np.full(len(images), np.inf)
+    for vertex in (place - 1, place % len(vertices)):
+        distance = np.abs((images - vertices[vertex] + 0.5) % 1.0 - 0.5)
+        near = np.minimum(near, distance / np.minimum(room, spread[vertex]).clip(1e-300))
+    return np.concatenate([images[near > effort.merge], _even(vertices, effort.even)])
+
+
+def _band(source: Positions, target: Positions, last: Correspondence, band: int) -> Windows:
+    """Windows around the image of every source position."""
+    start, count = target.arc[0], len(target.arc)
+    ahead = (target.arc - start) % 1.0
+    images = (last.to_target(source.arc) - start) % 1.0
+    right = np.searchsorted(ahead, images)
+    to_right = np.append(ahead, 1.0)[right] - images
+    centre = np.where((right > 0) & (images - ahead[right - 1] < to_right), right - 1, right)
+    width = min(2 * band + 1, count)
+    return Windows((centre - band) % count, np.full(len(images), width), np.empty((0, 0), dtype=bool))
+
+
+class Landmarks(NamedTuple):
+    """Vertices of the source and of the target, in the shapes' own numbers, that must be matched; shape (k,) each."""
+
+    source: NDArray[np.int64]
+    target: NDArray[np.int64]
+
+    def restrict(self, windows: Windows, source: Positions, target: Positions, levels: tuple[Level, Level]) -> Windows:
+        """Say which nodes there are: one of the two a vertex, and of landmarks only their own pair."""
+        wide = int(windows.width.max())
+        partner = (windows.low[:, None] + np.arange(wide)) % len(target.arc)
+        allowed = (source.vertex[:, None] >= 0) | (target.vertex[partner] >= 0)
+        allowed &= np.arange(wide) < windows.width[:, None]
+        for i, j in zip(self.source, self.target, strict=True):
+            x, a = (
+                np.flatnonzero(p.vertex == np.searchsorted(level.kept, v))[0]
+                for p, level, v in zip((source, target), levels, (i, j), strict=True)
+            )
+            here = partner == a
+            here[x] = ~here[x]
+            allowed &= ~here
+        return Windows(windows.low, windows.width, allowed)
+
+
+def _solve(
+    shapes: tuple[Shape, Shape],
+    levels: tuple[Level, Level],
+    positions: tuple[Positions, Positions],
+    pairs: list[tuple[NDArray[np.int64], NDArray[np.int32]]],
+    windows: Windows,
+    stretch: float,
+) -> list[Correspondence]:
+    """Fill the table and read the correspondences from it."""
+    sides = []
+    for shape, level, place, (first, end), of_source in zip(
+        shapes, levels, positions, pairs, (True, False), strict=True
+    ):
+        chords = Chords(*find_chords(place, shape.disk(level), first, end, of_source))
+        splits, start, middle = find_splits(place, chords, of_source)
+        sides.append(Side(chords, splits, start, middle, place.arc))
+    source, target = sides
+    table = fill(source, target, windows, stretch)
+    cost, found = wholes(source, target, windows, table, stretch)
+    answers = []
+    for row in _minima(cost):
+        rows = follow(source, target, windows, table, *found[row])
+        answers.append(_correspondence(levels, positions, rows, float(cost[row])))
+    return answers
+
+
+def _minima(cost: _Floats) -> list[int]:
+    """Rows where the cost is finite and no neighbour's is smaller, the cheapest first."""
+    low = np.isfinite(cost) & (cost <= np.roll(cost, 1)) & (cost < np.roll(cost, -1))
+    if not low.any() and np.isfinite(cost).any():
+        return [int(np.argmin(cost))]
+    return [int(row) for row in np.argsort(cost, kind="stable") if low[row]]
+
+
+def _correspondence(
+    levels: tuple[Level, Level], positions: tuple[Positions, Positions], rows: NDArray[np.int64], cost: float
+) -> Correspondence:
+    """Number the nodes that the triangles use along the source."""
+    used, place = np.unique(rows[:, :3], return_index=True)
+    partner = rows[:, 3:].ravel()[place]
+    triangles = np.searchsorted(used, rows[:, :3])
+    arcs, vertices, points = [], [], []
+    for p, level, at in zip(positions, levels, (used, partner), strict=True):
+        arcs.append(p.arc[at])
+        vertices.append(np.where(p.vertex[at] < 0, -1, level.kept[p.vertex[at]]))
+        points.append(p.points[at])
+    return Correspondence(*arcs, *vertices, *points, triangles, cost)

@@ -1,0 +1,208 @@
+r"""The search: where to begin, how to go on, and what to try where a level cannot be refined.
+
+An *attempt* says how many vertices the first level has, how dear stretch is and how many of the first level's
+local minima are followed.  Cheap attempts come first; the first one that reaches all vertices is the answer.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from tween.morphing.matching.levels import Correspondence, Effort, Landmarks, Shape, first_level, next_level
+
+SMALL = 24
+"""Vertices up to which two curves are matched in one exact table."""
+
+_GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
+_LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
+_MOST_DIVISIONS = 4  # of steps between levels in which nothing was found, in one attempt
+_LARGE = 400  # vertices from which on only the first attempts are made
+_EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
+_MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
+_FINE = 160  # vertices from which on images are candidates enough, and the last correspondence is good
+
+
+class Attempt(NamedTuple):
+    """One rung of the ladder.
+
+    Attributes
+    ----------
+    first : int
+        Vertices of the first level.
+    even : int
+        Evenly spaced candidates on every edge at the first level.
+    stretch : float
+        Price of stretch at all levels but the last.
+    starts : int
+        Local minima of the first level that are tried with more candidates.
+    efforts : tuple of Effort
+        For each further level, until one can be matched.
+    literal : bool
+        Whether both curves have exactly so many candidates on every edge.
+    """
+
+    first: int
+    even: int
+    stretch: float
+    starts: int
+    efforts: tuple[Effort, ...]
+    literal: bool = False
+
+
+_AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
+_LIGHT = (Effort(9, 6, 0.3, 1), Effort(14, 8, 0.15, 1), Effort(20, 8, 0.0, 2))
+_HEAVY = (Effort(14, 8, 0.15, 1), Effort(24, 10, 0.0, 2), Effort(32, 12, 0.0, 3))
+_NARROW = (Effort(5, 5, 0.3, 0, 60), Effort(6, 5, 0.0, 0, 60), Effort(10, 7, 0.0, 1, 120))
+_ATTEMPTS = (
+    Attempt(24, 1, 0.0, 4, _LIGHT),
+    Attempt(32, 1, 0.0, 4, _LIGHT),
+    Attempt(24, 2, 0.0, 4, _HEAVY),
+    Attempt(24, 1, 4.0, 4, _HEAVY),
+    Attempt(44, 1, 0.0, 2, _HEAVY),
+    Attempt(32, 2, 4.0, 2, _HEAVY),
+)
+
+
+@dataclass(frozen=True)
+class Found:
+    """What the search came to.
+
+    Attributes
+    ----------
+    disks : (int, int)
+        Which of the source's disks, and which of the target's.
+    correspondence : Correspondence or None
+        Of the last level; None where not even a first level could be matched.
+    levels : tuple of (int, int, float)
+        Vertices of the source and of the target and the energy, level by level.
+    complete : bool
+        Whether the last level has all vertices.
+    """
+
+    disks: tuple[int, int]
+    correspondence: Correspondence | None
+    levels: tuple[tuple[int, int, float], ...]
+    complete: bool
+
+
+def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
+    """Numbers of vertices of two curves level by level."""
+    sizes, size = [], float(first)
+    while size * _LEAST_GROWTH < max(n, m):
+        sizes.append((min(n, round(size)), min(m, round(size))))
+        size *= _GROWTH if size < _FINE else _FINE_GROWTH
+    return [*sizes, (n, m)]
+
+
+def even_candidates(n: int, m: int, even: int = 1) -> tuple[int, int]:
+    """Candidates an edge, so many or as many as give each curve twice the positions that the larger has vertices."""
+    most = (even + 1) * max(n, m)
+    return max(even, -(-most // n) - 1), max(even, -(-most // m) - 1)
+
+
+def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candidates: int | None) -> Found:
+    """Match every disk of the source with every one of the target and return the best that reaches all vertices.
+
+    Parameters
+    ----------
+    sources, targets : list of Shape
+        The disks that each curve bounds.
+    nodes : Landmarks
+    candidates : int or None
+        See `tween.match.match`.
+
+    Returns
+    -------
+    Found
+        The first one that is complete; where none is, the one that came farthest.
+    """
+    best = Found((0, 0), None, (), False)
+    for attempt in _attempts(len(sources[0]), len(targets[0]), candidates):
+        for found in _starts(sources, targets, nodes, attempt):
+            refined = _refine(sources[found.disks[0]], targets[found.disks[1]], nodes, attempt, found)
+            if refined.complete:
+                return refined
+            if _reach(refined) > _reach(best):
+                best = refined
+    return best
+
+
+def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
+    """The ladder: of small curves exact tables first, with more and more candidates, then simplified ones."""
+    most = max(n, m)
+    if most > _LARGE:
+        return [attempt._replace(starts=2) for attempt in _ATTEMPTS[:2]]
+    if most > SMALL:
+        return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
+    if candidates is not None:
+        return [Attempt(SMALL, candidates, 0.0, 1, (), True)]
+    exact = [Attempt(SMALL, even, 0.0, 1, ()) for even in _EVEN if (even + 1) * most <= _MOST_POSITIONS or even == 1]
+    return exact + [Attempt(first, 2, 0.0, 2, _HEAVY) for first in (most // 2, most // 3) if first > 3]
+
+
+def _reach(found: Found) -> int:
+    return sum(found.levels[-1][:2]) if found.levels else 0
+
+
+def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: Attempt) -> list[Found]:
+    """Local minima of the first level over all pairs of disks, the best first."""
+    starts = []
+    for s, S in enumerate(sources):
+        for t, T in enumerate(targets):
+            sizes = sizes_of_levels(len(S), len(T), attempt.first)[0]
+            candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
+            for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
+                starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
+    starts.sort(key=lambda found: found.levels[0][2])
+    if not starts or starts[0].complete:
+        return starts[:1]
+    again = []
+    for found in starts[: attempt.starts]:
+        S, T, sizes = sources[found.disks[0]], targets[found.disks[1]], found.levels[0][:2]
+        better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
+        if better is not None:
+            again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
+    return sorted(again, key=lambda found: found.levels[0][2]) + starts[:1]
+
+
+def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found) -> Found:
+    """Go from level to level as far as it goes."""
+    sizes = sizes_of_levels(len(S), len(T), attempt.first)
+    S.prepare([n for n, _ in sizes])
+    T.prepare([m for _, m in sizes])
+    last, levels, ahead, divided = start.correspondence, list(start.levels), sizes[:0:-1], 0
+    while ahead:
+        n, m = ahead.pop()
+        finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
+        if finer is not None:
+            last = finer
+            levels.append((n, m, last.cost + 4.0))
+            continue
+        between = _between(levels[-1][:2], (n, m))
+        if between is None or divided == _MOST_DIVISIONS:
+            return Found(start.disks, last, tuple(levels), False)
+        ahead += [(n, m), between]
+        divided += 1
+    return Found(start.disks, last, tuple(levels), True)
+
+
+def _between(coarse: tuple[int, int], fine: tuple[int, int]) -> tuple[int, int] | None:
+    """Numbers of vertices half-way between two levels."""
+    middle = ((coarse[0] + fine[0]) // 2, (coarse[1] + fine[1]) // 2)
+    return None if middle == coarse else middle
+
+
+def _climb(
+    S: Shape,
+    T: Shape,
+    sizes: tuple[int, int],
+    last: Correspondence,
+    nodes: Landmarks,
+    attempt: Attempt,
+    stretch: float,
+) -> Correspondence | None:
+    """One level, with more and more effort until it can be matched."""
+    for effort in attempt.efforts if max(sizes) <= _FINE else _NARROW:
+        finer = next_level(S, T, sizes, last, nodes, effort, stretch)
+        if finer is not None:
+            return finer
+    return None

@@ -1,0 +1,247 @@
+r"""Simplifying an immersed disk vertex by vertex: the coarse levels on which two curves are matched first.
+
+A vertex v with neighbours a and b may go where the curve without it still bounds an immersed disk:
+
+    left turn    the chord from a to b lies straight in the disk: the ear a v b is cut off
+    right turn   the triangle a b v, outside, is glued on, and v would become a point inside the disk; the
+                 angles at a and b must stay below 2 pi
+    straight on  always
+
+Either way the triangles around v make place for new ones in the polygon of its neighbours, which is star-shaped as
+seen from v.  So the triangulation always tells which immersed disk is meant, and no table is needed.
+
+                 x1
+               /    \          a b x1 x2: the link of v, counter-clockwise from b, its successor on the
+      a = x2 -- v -- b         curve, to a, its predecessor
+
+Legend: ``v a b x`` vertices; ``h g`` half-edges ``3 t + s``, twin -1 on the curve; ``out[v]`` the half-edge from v to
+its successor.
+
+References
+----------
+M. Visvalingam and J. D. Whyatt, *Line generalisation by repeated elimination of points*, The Cartographic Journal 30
+(1993) 46-51: the vertex of the smallest triangle goes first.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from tween.geometry.predicates import turn
+from tween.geometry.triangulation import Triangulation
+
+
+class Level(NamedTuple):
+    """A disk with some of its vertices left out.
+
+    Attributes
+    ----------
+    kept : ndarray of int, shape (m,)
+        The vertices that are left, ascending.
+    triangles : ndarray of int, shape (m-2, 3)
+        In the numbers of `kept`, counter-clockwise.
+    """
+
+    kept: NDArray[np.int64]
+    triangles: NDArray[np.int64]
+
+
+def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> list[Level]:
+    """Leave out vertices, those of smallest triangle first, and return the disk at some sizes on the way.
+
+    Parameters
+    ----------
+    T : Triangulation
+    sizes : list of int
+        Numbers of vertices, descending.
+    fixed : ndarray of bool, shape (n,)
+        Vertices that must stay.
+
+    Returns
+    -------
+    list of Level
+        One for each size; where no vertex can go any more, what is left.
+
+    Notes
+    -----
+    Areas that agree to about seven digits count as equal, and then the vertex of smallest number goes first.
+    O(n**2), of which each step is one comparison: a tenth of a second for 10,000 vertices.
+
+    Examples
+    --------
+    >>> square = Triangulation([[0, 0], [1, 0], [2, 0], [2, 2], [0, 2]], [[0, 1, 4], [1, 2, 3], [1, 3, 4]])
+    >>> [level.kept.tolist() for level in simplify(square, [5, 4], np.zeros(5, dtype=bool))]
+    [[0, 1, 2, 3, 4], [0, 2, 3, 4]]
+    """
+    triangles, twin = T.triangles.copy(), T.twin.ravel().copy()
+    wanted = np.array(sizes, dtype=np.int64)
+    kept, lists, counts = _simplify(T.points, triangles, twin, fixed, wanted)
+    levels = []
+    for vertices, rows, count in zip(kept, lists, counts, strict=True):
+        levels.append(Level(np.flatnonzero(vertices), np.cumsum(vertices)[rows[: count - 2]] - 1))
+    return levels
+
+
+@njit(cache=True)
+def _simplify(points, triangles, twin, fixed, sizes):
+    n = len(points)
+    out = boundary(triangles, twin)
+    before, after = (np.arange(n) - 1) % n, (np.arange(n) + 1) % n
+    alive, gone = np.ones(n, np.bool_), np.zeros(len(triangles), np.bool_)
+    kept, lists = np.zeros((len(sizes), n), np.bool_), np.zeros((len(sizes), n, 3), np.int64)
+    counts, left = np.zeros(len(sizes), np.int64), n
+    importance = np.empty(n)  # infinite where a vertex stays, or cannot go as long as nothing changes around it
+    for v in range(n):
+        importance[v] = np.inf if fixed[v] else _importance(points, before[v], v, after[v])
+    link, around, past = np.empty(n + 2, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
+    for row in range(len(sizes)):
+        while left > max(3, sizes[row]):
+            v = _least(importance)
+            if importance[v] == np.inf:
+                break
+            importance[v] = np.inf
+            size = _star(triangles, twin, out[v], link, around, past)
+            if not _may_go(points, before, after, v, link[:size]):
+                continue
+            gone[around[size - 2]] = True
+            a, b = before[v], after[v]
+            alive[v], before[b], after[a], left = False, a, b, left - 1
+            _fill(points, triangles, twin, out, size, link, around, past)
+            link[size], link[size + 1] = before[a], after[b]
+            for x in link[: size + 2]:
+                if not fixed[x]:
+                    importance[x] = _importance(points, before[x], x, after[x])
+        _record(triangles, gone, alive, kept[row], lists[row])
+        counts[row] = left
+    return kept, lists, counts
+
+
+@njit(cache=True)
+def _least(values):
+    """Where the first of the smallest values is."""
+    best = 0
+    for v in range(1, len(values)):
+        if values[v] < values[best]:
+            best = v
+    return best
+
+
+@njit(cache=True)
+def _record(triangles, gone, alive, kept, rows):
+    """Write down what is left."""
+    for v in range(len(alive)):
+        kept[v] = alive[v]
+    size = 0
+    for t in range(len(gone)):
+        if not gone[t]:
+            rows[size, 0], rows[size, 1], rows[size, 2] = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+            size += 1
+
+
+@njit(cache=True)
+def boundary(triangles, twin):
+    """The half-edge that leaves each vertex along the curve."""
+    out = np.empty(len(triangles) + 2, np.int64)
+    for h in range(len(twin)):
+        if twin[h] < 0:
+            out[triangles[h // 3, h % 3]] = h
+    return out
+
+
+@njit(cache=True)
+def _importance(points, a, v, b):
+    """Twice the area of a, v, b in single precision, so that congruent triangles tie."""
+    ux, uy = points[v, 0] - points[a, 0], points[v, 1] - points[a, 1]
+    wx, wy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
+    cross, size = abs(ux * wy - uy * wx), wx * wx + wy * wy
+    return np.float64(np.float32(cross)) if cross > 1e-12 * size else 0.0
+
+
+@njit(cache=True)
+def _star(triangles, twin, h, link, around, past):
+    """Walk around a vertex: its link from b to a, its triangles, and what lies across the link's edges."""
+    size = 0
+    while True:
+        t, s = h // 3, h % 3
+        link[size], around[size], past[size] = triangles[t, (s + 1) % 3], t, twin[3 * t + (s + 1) % 3]
+        size += 1
+        h = twin[3 * t + (s + 2) % 3]
+        if h < 0:
+            link[size] = triangles[t, (s + 2) % 3]
+            return size + 1
+
+
+@njit(cache=True)
+def _may_go(points, before, after, v, link):
+    """Whether the curve without v still bounds an immersed disk, see the module."""
+    a, b = link[-1], link[0]
+    side = turn(points, a, v, b)
+    if side > 0:
+        for x in link[1:-1]:
+            if turn(points, a, b, x) <= 0:
+                return False
+        return True
+    if side == 0:
+        return len(link) > 2
+    p, q = before[a], after[b]
+    full_at_a = turn(points, a, b, p) >= 0 and turn(points, a, p, v) >= 0
+    full_at_b = turn(points, b, v, q) >= 0 and turn(points, b, q, a) >= 0
+    return not (full_at_a or full_at_b)
+
+
+@njit(cache=True)
+def _fill(points, triangles, twin, out, size, link, around, past):
+    """Triangulate the polygon of a link, whose edge from a to b is now on the curve."""
+    polygon, beyond, used = link[:size].copy(), past[: size - 1].copy(), 0
+    while size > 2:
+        i = _ear(points, polygon, size)
+        t = around[used]
+        used += 1
+        triangles[t] = polygon[i - 1], polygon[i], polygon[i + 1]
+        _join(triangles, twin, out, 3 * t, beyond[i - 1])
+        _join(triangles, twin, out, 3 * t + 1, beyond[i])
+        beyond[i - 1] = 3 * t + 2
+        for m in range(i, size - 1):
+            polygon[m] = polygon[m + 1]
+        for m in range(i, size - 2):
+            beyond[m] = beyond[m + 1]
+        size -= 1
+    _join(triangles, twin, out, beyond[0], -1)
+
+
+@njit(cache=True)
+def _join(triangles, twin, out, h, g):
+    """Make half-edges twins; one of them is -1 where the other lies on the curve."""
+    if h >= 0:
+        twin[h] = g
+    if g >= 0:
+        twin[g] = h
+    if h < 0 or g < 0:
+        edge = max(h, g)
+        out[triangles[edge // 3, edge % 3]] = edge
+
+
+@njit(cache=True)
+def _ear(points, polygon, size):
+    """A tip whose triangle holds no other vertex; of those, the one with the shortest side across."""
+    best, shortest = -1, np.inf
+    for i in range(1, size - 1):
+        x, z = points[polygon[i - 1]], points[polygon[i + 1]]
+        across = (x[0] - z[0]) ** 2 + (x[1] - z[1]) ** 2
+        if across < shortest and _is_ear(points, polygon, size, i):
+            best, shortest = i, across
+    return best
+
+
+@njit(cache=True)
+def _is_ear(points, polygon, size, i):
+    x, y, z = polygon[i - 1], polygon[i], polygon[i + 1]
+    if turn(points, x, y, z) <= 0:
+        return False
+    for m in range(size):
+        w = polygon[m]
+        if abs(m - i) > 1 and turn(points, x, y, w) >= 0 and turn(points, y, z, w) >= 0 and turn(points, z, x, w) >= 0:
+            return False
+    return True
