@@ -61,7 +61,10 @@ def test_area_fan_26_stays_valid_between_edges_within_a_factor_of_170() -> None:
     with np.load(FIXTURES / "area_fan_26.npz") as ends:
         S, T = Triangulation(ends["A"], ends["T"]), Triangulation(ends["B"], ends["T"])
     m = morph(S, T, path="area", root="tree-center", guarantee=True)
-    assert first_failure(m, np.unique([*np.linspace(0, 1, 1001), *np.linspace(0.973, 0.999, 200), *beside_marks(m)])) is None
+    assert (
+        first_failure(m, np.unique([*np.linspace(0, 1, 1001), *np.linspace(0.973, 0.999, 200), *beside_marks(m)]))
+        is None
+    )
 
 
 @pytest.mark.parametrize("guarantee", [False, True])

@@ -198,7 +198,9 @@ def proved_budgets(
         over = (slack <= 0) & ~vertices
         if not over.any():
             none = no_budgets(len(corners))
-            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, np.where(vertices, np.nan, slack + _ROUNDING)
+            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, np.where(
+                vertices, np.nan, slack + _ROUNDING
+            )
         vertices |= over
         for angles, times in ((rough, few), (fine, many)):
             reach_plain(angles, times, touches(over))
