@@ -1,9 +1,10 @@
 """Midpoints on the edges of a curve, so placed that no rounding of theirs decides anything.
 
-A midpoint that is rounded lies beside its edge by a last bit.  If it lay outside, the flat triangle of the edge and the
-midpoint would be a triangle like any other: all of its angles come from rounding, and what hangs on it leaps.  So on an edge
-where rounding is needed at all, the midpoints are moved inwards by a few last bits, onto a parabola: the curve has a
-dent there, which turns right at every midpoint, and no three points of it make a counter-clockwise triangle.
+A midpoint that is rounded lies beside its edge by a last bit.  If it lay outside, the flat triangle of the edge and
+the midpoint would be a triangle like any other: all of its angles come from rounding, and what hangs on it leaps.  So
+on an edge where rounding is needed at all, the midpoints are moved inwards by a few last bits, onto a parabola: the
+curve has a dent there, which turns right at every midpoint, and no three points of it make a counter-clockwise
+triangle.
 """
 
 import heapq

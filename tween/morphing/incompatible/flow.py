@@ -1,10 +1,10 @@
 """Motion between incompatible triangulations by gradual edge flips (Section 6.2).
 
-A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each
-flip as soon as its quadrilateral is convex in the moving shape *with room to spare*: both corners that the new diagonal
-leaves behind turn left by 0.02 radians, or by half of what they do on the disk where that is less.  A flip of a
-quadrilateral that is hardly convex makes a triangle that is hardly one; the tip of it would leap, and its height would be
-of the size of roundings.
+A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each flip as soon as its
+quadrilateral is convex in the moving shape *with room to spare*: both corners that the new diagonal leaves behind turn
+left by 0.02 radians, or by half of what they do on the disk where that is less.  A flip of a quadrilateral that is
+hardly convex makes a triangle that is hardly one; the tip of it would leap, and its height would be of the size of
+roundings.
 
 Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
 ab that gives way to cd, as in `tween.flips`.

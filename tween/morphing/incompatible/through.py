@@ -4,8 +4,8 @@
 
     S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
 
-Where two pieces meet, the shape is one array, at which both lists of triangles are valid; times within 1e-12 of a flip get
-that very array.
+Where two pieces meet, the shape is one array, at which both lists of triangles are valid; times within 1e-12 of a flip
+get that very array.
 """
 
 import numpy as np
