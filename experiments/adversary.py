@@ -1,9 +1,9 @@
 """A search for moments at which a guaranteed morph is not valid, among ends that make it hard.
 
 Fans of up to 60 spokes with radii to 1e3, random disks whose angle sums come up to 1e-12 to 2 pi, needles, stretches
-by powers of ten, coordinates of 1e6, different counts of vertices and flips; all paths and roots.  Every morph that is given
-with a guarantee is checked exactly, by `tween.verify`, at 2,000 times: spread evenly, beside every flip and end, and
-where the largest sum of angles is largest, found by going up from the worst moments seen.
+by powers of ten, coordinates of 1e6, different counts of vertices and flips; all paths and roots.  Every morph that is
+given with a guarantee is checked exactly, by `tween.verify`, at 2,000 times: spread evenly, beside every flip and end,
+and where the largest sum of angles is largest, found by going up from the worst moments seen.
 
     python -m experiments.adversary OUT.jsonl --seeds 0 1000
 
@@ -86,7 +86,7 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
     if kind == "disk":
         return kind, T, T.on_disk(), {}
     if kind == "same":
-        return kind, T, T.moved(one_end(rng, n).points), {}
+        return kind, T, stretched(rng, stretched(rng, T)), {}
     m = int(rng.integers(5, 24)) if kind == "counts" else n
     offset = rng.normal(size=2) * (1e6 if kind == "far" else 0.0)
     return kind, T.points + offset, one_end(rng, m).points + offset, {"strategy": str(rng.choice(["auto", "paper"]))}
@@ -124,7 +124,8 @@ def tried(seed: int) -> dict[str, Any]:
     rng = np.random.default_rng([20, seed])
     kind, source, target, options = pair(rng)
     path, root = PATHS[rng.integers(len(PATHS))], str(rng.choice(["disk-center", "tree-center"]))
-    found: dict[str, Any] = {"seed": seed, "kind": kind, "path": path, "root": root}
+    options["placement"] = str(rng.choice(["steady", "root"]))
+    found: dict[str, Any] = {"seed": seed, "kind": kind, "path": path, "root": root} | options
     try:
         for end in (source, target):
             if isinstance(end, Triangulation):

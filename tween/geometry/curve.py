@@ -4,8 +4,6 @@ A vertex is a position along the curve, never a coordinate: a curve may visit on
 Edge i runs from vertex i to vertex i+1 (mod n).
 """
 
-import heapq
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,6 +14,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
+from tween.geometry.halving import dented, halve_longest_edges
 from tween.geometry.predicates import EXACT_RANGE, orient2d
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
@@ -157,7 +156,8 @@ class Curve:
         -----
         The longest edge is halved first, the one of smallest number where several are equally long.
         Midpoints, unlike other fractions, are doubles that lie exactly on the edge whenever the
-        coordinates have a bit to spare; otherwise they are off by at most a rounding error.
+        coordinates have a bit to spare.  Otherwise they are off by some roundings, and always to the left: three
+        points on one edge never make a triangle, so that no rounding decides anything (`dented`).
         O((n + count) log n).
 
         Examples
@@ -167,19 +167,27 @@ class Curve:
         """
         if count < len(self):
             raise CurveError(f"{count} vertices wanted, but the curve has {len(self)} already")
-        points, origin = halve_longest_edges(self._points, self._origin, count)
+        halved, origin = halve_longest_edges(self._points, self._origin, count)
+        try:
+            curve = self._refined(dented(halved, origin))
+        except CurveError:  # too thin for dents
+            curve = self._refined(halved)
+        grown = Curve.__new__(Curve)
+        grown._hold(curve.points, curve.turning_number, self._reversed, origin)
+        return grown
+
+    def _refined(self, points: NDArray[np.float64]) -> "Curve":
+        """The curve through more points, or the `CurveError` where it is another one."""
         try:
             curve = Curve(points)
         except CurveError as error:
-            raise CurveError(f"the curve is too thin to take up {count - len(self)} vertices: {error}") from None
+            raise CurveError(f"the curve is too thin to take up {len(points) - len(self)} vertices: {error}") from None
         if curve._reversed or curve.turning_number != self.turning_number:
             raise CurveError(
                 "the curve is so thin that rounding the midpoints of its edges turns it over: its turning number "
                 f"{self.turning_number} became {-curve.turning_number if curve._reversed else curve.turning_number}"
             )
-        grown = Curve.__new__(Curve)
-        grown._hold(curve.points, curve.turning_number, self._reversed, origin)
-        return grown
+        return curve
 
     def __len__(self) -> int:
         return len(self._points)
@@ -349,49 +357,3 @@ def find_crossings(points: NDArray[np.float64]) -> Crossings:
 def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.bool_]:
     inside = (np.minimum(start, end) <= x) & (x <= np.maximum(start, end))
     return inside[:, 0] & inside[:, 1]
-
-
-def halve_longest_edges(
-    points: NDArray[np.float64], origin: NDArray[np.intp], count: int
-) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Halve the longest edge of a closed polygon until there are enough.
-
-    Parameters
-    ----------
-    points : ndarray of float64, shape (n, 2)
-    origin : ndarray of int, shape (n,)
-        A number for each.
-    count : int
-        Points wanted, at least n.
-
-    Returns
-    -------
-    points : ndarray of float64, shape (count, 2)
-    origin : ndarray of int, shape (count,)
-        The given numbers; -1 for midpoints.
-
-    Raises
-    ------
-    CurveError
-        Where an edge is too short to be halved.
-    """
-    n = len(points)
-    heap = []  # (-length, position, start, end, span)
-    for i in range(n):
-        a, b = points[i], points[(i + 1) % n]
-        # math.hypot is Python's own; the last bit of numpy's is the platform's, and would decide between equal edges.
-        heap.append((-math.hypot(*(b - a)), float(i), tuple(a), tuple(b), 1.0))
-    heapq.heapify(heap)
-    inserted = []
-    for _ in range(count - n):
-        length, position, a, b, span = heapq.heappop(heap)
-        middle = (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]))
-        if middle in (a, b):
-            raise CurveError(f"edge at {_at(np.array(a))} is too short to be halved further")
-        inserted.append((position + span / 2, middle))
-        heapq.heappush(heap, (length / 2, position, a, middle, span / 2))
-        heapq.heappush(heap, (length / 2, position + span / 2, middle, b, span / 2))
-    positions = np.array([*range(n), *(position for position, _ in inserted)])
-    rows = np.concatenate([points, np.reshape([m for _, m in inserted], (-1, 2))])
-    order = np.argsort(positions)
-    return rows[order], np.concatenate([origin, np.full(count - n, -1)])[order]

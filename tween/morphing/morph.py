@@ -254,6 +254,8 @@ class Morph:
         start, stop = (1.0 - doubt.stop, 1.0 - doubt.start) if self._backwards else (doubt.start, doubt.stop)
         own = tuple((v + self._shift) % len(self.source) for v in doubt.vertices)
         when = f"no guarantee between t = {start:.6g} and {stop:.6g}"
+        if doubt.start == 0.0 or doubt.stop == 1.0:
+            when = f"no guarantee within {doubt.stop - doubt.start:.1g} of t = {round(start)}"
         left, needed = max(doubt.left, 0.0), doubt.needed
         if doubt.rule == "vertex":
             return f"{when}: vertex {own[0]} has {left:.1g} left below 2 pi, of which rounding may need {needed:.1g}"

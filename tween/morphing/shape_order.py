@@ -1,15 +1,16 @@
 """Which of two shapes comes first, whatever the place, turn and size in which both are given.
 
-A morph is computed from the shape that comes first, and reversed where the caller wants it the other way.  If that were
-decided by coordinates, turning both shapes could exchange them, and every tie on the way would be broken otherwise.  So it
-is decided by what a similarity of both leaves as it is: counts, and which of the two is longer, larger, or has the longer
-edge.  Lengths of the two are compared with each other; one that is larger by less than a few roundings is not larger.
+A morph is computed from the shape that comes first, and reversed where the caller wants it the other way.  If that
+were decided by coordinates, turning both shapes could exchange them, and every tie on the way would be broken
+otherwise.  So it is decided by what a similarity of both leaves as it is: counts, and which of the two is longer,
+larger, or has the longer edge.  Lengths of the two are compared with each other; one that is larger by less than a few
+roundings is not larger.
 
     vertices   perimeter   area   longest edge   second moment about the centre   shortest edge   sum of squared turns
 
-Shapes that agree in all of these are taken to be the same shape up to a similarity of one of them that keeps size.  Then,
-and only then, the order of their bytes decides: a morph is symmetric there, too, but which of several equally good
-ones it is, as for two congruent symmetric curves, may depend on where they lie.
+Shapes that agree in all of these are taken to be the same shape up to a similarity of one of them that keeps size.
+Then, and only then, the order of their bytes decides: a morph is symmetric there, too, but which of several equally
+good ones it is, as for two congruent symmetric curves, may depend on where they lie.
 """
 
 import numpy as np

@@ -29,8 +29,9 @@ from tween.morphing.alignment import (
 from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
-from tween.morphing.incompatible.flow import Event, Flow, Through, shared_edge
+from tween.morphing.incompatible.flow import Event, Flow, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
+from tween.morphing.incompatible.through import Through
 from tween.morphing.matching.match import Match, match
 from tween.morphing.morph import Morph, Motion
 from tween.morphing.placement import Steady

@@ -15,7 +15,8 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
-from tween.geometry.curve import Curve, coordinate_fault, halve_longest_edges
+from tween.geometry.curve import Curve, coordinate_fault
+from tween.geometry.halving import halve_longest_edges
 from tween.geometry.pieces import Piece, droppable, tidied
 from tween.geometry.smoothing import Path, smoothed
 from tween.triangulating.changes import Changes, Dropped

@@ -169,8 +169,8 @@ def _add_peaks(low, high, source, target, stretch, times):
 def within_budgets(low, high, rows, first, last, least, most, times):
     """Narrow bounds of wanted angles, (m, 3, k-1), in place to those of angles kept to budgets, in some rows.
 
-    The limits of the angles at times 0 and 1 are ``least`` and ``most``.  Kept to its budgets, a triangle has a share of
-    what is wanted beyond the path "angle": the least share that a corner allows.  Its range follows from those of
+    The limits of the angles at times 0 and 1 are ``least`` and ``most``.  Kept to its budgets, a triangle has a share
+    of what is wanted beyond the path "angle": the least share that a corner allows.  Its range follows from those of
     what is allowed and of what is wanted.
     """
     for i in rows:

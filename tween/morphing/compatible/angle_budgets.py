@@ -167,7 +167,7 @@ def proved_budgets(
     -------
     Budgets
     slack : ndarray of float64, shape (n,)
-        What vertices without a budget are proved to have left below 2 pi at all times; negative for others.
+        What vertices without a budget are proved to have left below 2 pi at all times, at least 1e-9; nan for others.
 
     Notes
     -----
@@ -198,7 +198,9 @@ def proved_budgets(
         over = (slack <= 0) & ~vertices
         if not over.any():
             none = no_budgets(len(corners))
-            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, slack
+            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, np.where(
+                vertices, np.nan, slack + _ROUNDING
+            )
         vertices |= over
         for angles, times in ((rough, few), (fine, many)):
             reach_plain(angles, times, touches(over))

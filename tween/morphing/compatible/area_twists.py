@@ -1,21 +1,21 @@
 r"""Ways along the path "area" on which the angles at no vertex reach 2 pi.
 
-The area of a triangle and the length of its base leave one freedom: where its third vertex stands along a parallel to the
-base.  The path "area" moves the difference d of its angles at the base linearly from source to target.  Any other motion
-of d keeps the areas just as well, so with a guarantee d becomes a cubic,
+The area of a triangle and the length of its base leave one freedom: where its third vertex stands along a parallel to
+the base.  The path "area" moves the difference d of its angles at the base linearly from source to target.  Any other
+motion of d keeps the areas just as well, so with a guarantee d becomes a cubic,
 
     d(t) = (1-t)^3 d0 + 3 (1-t)^2 t p + 3 (1-t) t^2 q + t^3 d1
 
-and p and q, constants of each triangle, are chosen so that every vertex keeps a part of what it has left below 2 pi: the
-*twists*.  They are found by least squares over a few times: where a vertex has too much, its triangles give way by
+and p and q, constants of each triangle, are chosen so that every vertex keeps a part of what it has left below 2 pi:
+the *twists*.  They are found by least squares over a few times: where a vertex has too much, its triangles give way by
 as much as their angles there react to d,
 
     da/dd = r^2/(1+r^2)      db/dd = -1/(1+r^2)      dc/dd = (1-r^2)/(1+r^2)      r = sin a / sin b,
 
-and all is laid out again.  Where no twists are found that can be proved (`area_bounds`), the triangles at the vertices in
-doubt are *blended* with the path "angle", along which no sum exceeds those of the two ends: more and more, in
-steps, until all is proved.  Blended triangles lose the linear areas, and with all triangles blended entirely the path is "angle";
-so this ends.  Twists and blending are constants, so the motion is as smooth as without.
+and all is laid out again.  Where no twists are found that can be proved (`area_bounds`), the triangles at the vertices
+in doubt are *blended* with the path "angle", along which no sum exceeds those of the two ends: more and more, in
+steps, until all is proved.  Blended triangles lose the linear areas, and with all triangles blended entirely the path
+is "angle"; so this ends.  Twists and blending are constants, so the motion is as smooth as without.
 
 Legend: ``m`` triangles in tree order; ``k`` times; ``excess`` of a sum of angles over what is wanted.
 """

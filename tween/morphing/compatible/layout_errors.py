@@ -1,28 +1,28 @@
 r"""What rounding can do to a motion between two times: bounds that hold in doubles.
 
 A proof about angles is a proof about real numbers; people get arrays.  A motion is laid out from the root along the
-tree, and each step rounds.  Call *ideal* the shape that exact arithmetic would lay out from the third vertices z as they
-were computed.  Then, with u = 2^-53 and for a triangle at depth d over a base of length L,
+tree, and each step rounds.  Call *ideal* the shape that exact arithmetic would lay out from the third vertices z as
+they were computed.  Then, with u = 2^-53 and for a triangle at depth d over a base of length L,
 
     the base     e = z e', or (1-z) e'     is off by at most 8 (d + 1) u, relatively
     the vertex   c = a + z e               by the error of a, that of z e, and 2 u times its distance from the start
 
 so no vertex is off by more than ``errors``: O(d u) times the length of the way to it, of which placing the shape makes
-a little more (`Placing`).  Where every triangle's least height exceeds twice the errors of its corners, no triangle turns
-over on the straight way from the ideal shape to the array; and then the sum of angles at a vertex changes by the turns of
-the two *boundary* edges there only, since what one triangle loses at an inner edge its neighbour gains.  An edge of length
-l turns by less than 1.6 times the errors of its ends over l.  The angles of the ideal triangles differ from those that
-were proved for the path by the rounding of z: by 2^-48, and at both ends of the edge bc by that much
+a little more (`Placing`).  Where every triangle's least height exceeds twice the errors of its corners, no triangle
+turns over on the straight way from the ideal shape to the array; and then the sum of angles at a vertex changes by the
+turns of the two *boundary* edges there only, since what one triangle loses at an inner edge its neighbour gains.  An
+edge of length l turns by less than 1.6 times the errors of its ends over l.  The angles of the ideal triangles differ
+from those that were proved for the path by the rounding of z: by 2^-48, and at both ends of the edge bc by that much
 times |z| / |1-z|, since z is rounded relative to its distance from 0.
 
-So a shape is valid, in doubles, where no triangle is lower than twice its errors, and no vertex spends more on turns and
-roundings than it has left below 2 pi.  `first_doubt` looks at intervals of time: few long ones first; those in doubt are
-cut in four, until they are proved or too short.  What is known in an interval are bounds of angles; the law of
-sines carries lengths down the tree.
+So a shape is valid, in doubles, where no triangle is lower than twice its errors, and no vertex spends more on turns
+and roundings than it has left below 2 pi.  `first_doubt` looks at intervals of time: few long ones first; those in
+doubt are cut in four, until they are proved or too short.  What is known in an interval are bounds of angles; the law
+of sines carries lengths down the tree.
 
 The interval at an end may stay in doubt however short it is: the end may be a shape that is only just valid.  Then
-the end itself, which is given exactly, serves for it, if it is no longer than 2^-30 and the shape moves by less
-than 1e-7 of its width meanwhile.
+the end itself, which is given exactly, serves for it, up to 2^-24 from there as long as the shape has moved by less
+than 1e-7 of its width.
 
 Legend: ``f`` number of an interval; ``low high`` ends of intervals; ``near far`` least and greatest length.
 """
@@ -43,7 +43,7 @@ _FEW = 16  # intervals to begin with
 _PARTS = 4  # into which one in doubt is cut
 _SHORTEST = 2.0**-10  # of intervals that touch no end, as a share of their distance from it
 _MOST = 4096  # intervals in one round
-_SNAP, _LEAST_SNAP = 2.0**-30, 2.0**-50  # lengths of intervals for which an end may serve
+_SNAP, _LEAST_SNAP = 2.0**-24, 2.0**-50  # lengths of intervals for which an end may serve
 _JUMP = 1e-7  # widths by which a shape may move while an end serves
 _FINE, _TRIANGLE, _VERTEX, _RANGE = range(4)
 
@@ -150,9 +150,10 @@ def first_doubt(
         bad = np.flatnonzero(found[:, 0] != _FINE)
         again = []
         for (start, end), row in zip(intervals[bad].tolist(), found[bad].tolist(), strict=True):
-            at = 0 if start == 0.0 else 1 if end == 1.0 else None
-            if at is not None and ends[at] and end - start <= _SNAP and moves(start, end) < _JUMP:
-                snaps[at] = (end, start)[at]
+            if ends[0] and end <= _SNAP and moves(0.0, end) < _JUMP:
+                snaps[0] = max(snaps[0], end)
+            elif ends[1] and 1.0 - start <= _SNAP and moves(start, 1.0) < _JUMP:
+                snaps[1] = min(snaps[1], start)
             elif end - start <= _shortest(start, end) or len(bad) > _MOST:
                 return _doubt(corners, start, end, row)
             else:
@@ -229,8 +230,8 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
             _sines(low[i, 1, f], high[i, 1, f]),
             _sines(low[i, 2, f], high[i, 2, f]),
         )
-        n, l = near[i, f] / c1, (far[i, f] / c0 if c0 > 0.0 else math.inf)
-        bc, ca = (a0 * n, a1 * l), (b0 * n, b1 * l)
+        shorter, longer = near[i, f] / c1, (far[i, f] / c0 if c0 > 0.0 else math.inf)
+        bc, ca = (a0 * shorter, a1 * longer), (b0 * shorter, b1 * longer)
         edges[i, 0], edges[i, 1] = bc[0], ca[0]
         heights[i] = min(max(ca[0] * a0, bc[0] * b0), near[i, f] * min(a0, b0))
         least += 0.5 * near[i, f] * max(ca[0] * a0, bc[0] * b0)

@@ -6,11 +6,7 @@ its parent, and moves its third vertex along a path (`.paths`).  Points are comp
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
 
-import cmath
-import math
-
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from tween.choices import Path
@@ -19,13 +15,13 @@ from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds, within_budgets
 from tween.morphing.compatible.angle_budgets import (
     default_reserve,
-    keep_to_budget,
     left_over,
     no_budgets,
     proved_budgets,
 )
-from tween.morphing.compatible.area_bounds import area_bounds, area_third, largest_sums
+from tween.morphing.compatible.area_bounds import area_bounds, largest_sums
 from tween.morphing.compatible.area_twists import AreaPath, kept_below_full_turn, straight_area_path
+from tween.morphing.compatible.layout import hang, placed, root_base
 from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
 
@@ -33,7 +29,6 @@ _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
 _MARGIN = 1e-9  # radians below 2 pi that a proof leaves where the ends allow it
 _SHORTEST = 1.0 / 512.0  # of the intervals in which sums along "area" are looked at
-_HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
 
 class Leg:
@@ -101,9 +96,7 @@ class Leg:
             At times 0 and 1 exactly the source and the target.
         """
         laid, _ = self._lay_out(t, self.area_path)
-        shapes: NDArray[np.float64] = _placed(
-            laid, self._corners[0], *self._centres, t, self.source.points, self.target
-        )
+        shapes: NDArray[np.float64] = placed(laid, self._corners[0], *self._centres, t, self.source.points, self.target)
         return shapes
 
     def first_doubt(
@@ -159,7 +152,7 @@ class Leg:
         elif self._path != "angle":
             kept = np.minimum(left, default_reserve(self._corners, *self._angles) if reserve is None else reserve)
             self.budgets, proved = proved_budgets(self._corners, *self._angles, self._largest_angles, kept)
-            self._slack = np.where(proved > 0, proved, kept)
+            self._slack = np.where(np.isnan(proved), kept, proved)
 
     def _doubtful(self, path: AreaPath, left: NDArray[np.float64]) -> NDArray[np.bool_]:
         """The vertices whose angles along the path "area" are not proved to stay below 2 pi."""
@@ -177,7 +170,7 @@ class Leg:
     def _layout_by_area(self, t: NDArray[np.float64], path: AreaPath) -> Layout:
         """What is known of the motion along "area" between neighbouring times."""
         _, z = self._lay_out(t, path)
-        root = np.abs(_root_base(self._start[0], self._end[0], False, t))
+        root = np.abs(root_base(self._start[0], self._end[0], False, t))
         low, high, slow, fast, near, far = area_bounds(self._children, z, root, t, *path)
         sums = largest_sums(self._corners, np.asarray(corner_angles(z)), high, slow, fast, t)
         return Layout(low, high, near, far, 2 * np.pi - sums)
@@ -220,8 +213,8 @@ class Leg:
             z = np.empty((len(self._corners), len(t)), np.complex128)
         else:
             z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
-        e = _root_base(self._start[0], self._end[0], self._path == "metric", t)
-        shapes = _hang(self._corners, self._children, z, e, t, by_area, path, self.budgets)
+        e = root_base(self._start[0], self._end[0], self._path == "metric", t)
+        shapes = hang(self._corners, self._children, z, e, t, by_area, path, self.budgets)
         return shapes, z
 
 
@@ -298,76 +291,3 @@ def _third(corners: NDArray[np.complex128]) -> NDArray[np.complex128]:
 def _areas(start: NDArray[np.complex128], end: NDArray[np.complex128]) -> NDArray[np.float64]:
     """Twice the area at both ends, shape (m, 2)."""
     return np.stack([np.abs(c[:, 1] - c[:, 0]) ** 2 * _third(c).imag for c in (start, end)], axis=1)
-
-
-@njit(cache=True)
-def _placed(laid, root, first_centre, last_centre, t, source, target):
-    """Shapes, (k, n, 2), from those laid out, (n, k), so moved that the centre of the root is where it should be."""
-    n, k = laid.shape
-    shapes = np.empty((k, n, 2))
-    for f in range(k):
-        if t[f] == 0.0:  # the ends are the input to the last bit, free of what the layout rounds
-            shapes[f] = source
-        elif t[f] == 1.0:
-            shapes[f] = target
-        else:
-            root_centre = (laid[root[0], f] + laid[root[1], f] + laid[root[2], f]) * (1.0 / 3.0)
-            step = (1.0 - t[f]) * first_centre + t[f] * last_centre - root_centre
-            for i in range(n):
-                place = laid[i, f] + step
-                shapes[f, i, 0], shapes[f, i, 1] = place.real, place.imag
-    return shapes
-
-
-@njit(cache=True)
-def _root_base(source, target, by_squares, t):
-    """The base of the root, b - a, at every time."""
-    e1, e2 = source[1] - source[0], target[1] - target[0]
-    turn = cmath.phase(e2 / e1)
-    # near half a turn rounding would choose the direction, and perhaps the same one for the reversed morph
-    if abs(abs(turn) - math.pi) < _HALF_TURN:
-        apart = e1 / abs(e1) - e2 / abs(e2)  # changes sign, exactly, when source and target are exchanged
-        way = math.copysign(1.0, apart.imag if apart.imag != 0.0 else apart.real)
-        if turn * way < 0.0:
-            turn += 2.0 * math.pi * way
-    e = np.empty(t.size, np.complex128)
-    for f in range(t.size):
-        if by_squares:  # along "metric" the root is no exception: all its edges have linear squares
-            length = math.sqrt((1 - t[f]) * abs(e1) ** 2 + t[f] * abs(e2) ** 2)
-        else:
-            length = (1 - t[f]) * abs(e1) + t[f] * abs(e2)
-        e[f] = cmath.rect(length, cmath.phase(e1) + t[f] * turn)
-    return e
-
-
-@njit(cache=True)
-def _hang(corners, children, z, root_base, t, by_area, path, budgets):
-    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area or kept to the budgets."""
-    m, k = z.shape
-    areas, above, below, blend, plain_first, plain_last = path
-    first, last, low, high = budgets
-    shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
-    bases[0] = root_base
-    shapes[corners[0, 0]] = 0.0
-    shapes[corners[0, 1]] = root_base
-    for i in range(m):  # parents come first: the base of i, and its ends, are known by now
-        if by_area:
-            for f in range(k):
-                square = bases[i, f].real ** 2 + bases[i, f].imag ** 2
-                z[i, f] = area_third(i, square, t[f], areas, above, below, blend, plain_first, plain_last)
-        elif np.isfinite(low[i]).any():  # the others keep their bits
-            for f in range(k):
-                z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i])
-        a, c = corners[i, 0], corners[i, 2]
-        for f in range(k):  # array expressions would make an array each
-            shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
-        across_bc, across_ca, across_ab = children[i]
-        if across_bc >= 0:
-            for f in range(k):
-                bases[across_bc, f] = (1.0 - z[i, f]) * bases[i, f]
-        if across_ca >= 0:
-            for f in range(k):
-                bases[across_ca, f] = z[i, f] * bases[i, f]
-        if across_ab >= 0:
-            bases[across_ab] = -bases[0]
-    return shapes

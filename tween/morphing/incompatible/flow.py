@@ -1,10 +1,10 @@
 """Motion between incompatible triangulations by gradual edge flips (Section 6.2).
 
-A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each
-flip as soon as its quadrilateral is strictly convex in the moving shape.  `Through` joins a leg from one
-shape and the flow of the other to a motion between the two (Figure 10):
-
-    S1 ---- leg under T1 ----> S2(v) <---- flow of S2 towards its disk, T2 to T1 ---- S2
+A `Flow` moves one shape towards its disk and flips, one by one, to the other's triangulation: each flip as soon as its
+quadrilateral is convex in the moving shape *with room to spare*: both corners that the new diagonal leaves behind turn
+left by 0.02 radians, or by half of what they do on the disk where that is less.  A flip of a quadrilateral that is
+hardly convex makes a triangle that is hardly one; the tip of it would leap, and its height would be of the size of
+roundings.
 
 Legend: ``tau`` times of a flow, 0 the shape, 1 its disk; ``quad`` corners a, b, c, d around a diagonal
 ab that gives way to cd, as in `tween.flips`.
@@ -22,11 +22,8 @@ from tween.choices import Order, Path
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.angle_budgets import RESERVE
-from tween.morphing.compatible.layout_errors import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
-from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flip_sequence import FlipSequence
-from tween.triangulating.compatibility import match_rows
 from tween.triangulating.flips import flip_in_place, quadrilateral
 
 _SCAN = 1 / 512  # step of the search for the first convex time; a shorter spell of convexity may be missed
@@ -79,11 +76,6 @@ class Piece(NamedTuple):
         ndarray of float64, shape (k, n, 2)
         """
         return self.leg.at(self.start + share * (self.stop - self.start))
-
-    def shape(self, end: int) -> NDArray[np.float64]:
-        """Return the first shape, for end 0, or the last one; to the last bit that of the piece beside it."""
-        at = (self.start, self.stop)[end]
-        return self.leg.at(np.array([at]))[0]
 
     def reversed(self) -> "Piece":
         """Run the same part backwards.
@@ -263,97 +255,6 @@ class _Waiting:
 
     def _is_ready(self, flip: int) -> bool:
         return all(self._queues[row][0] == flip for row in self._rows[flip])
-
-
-class Through:
-    """The motion from one shape to another by way of the other's flow (Figure 10).
-
-    It leads straight to the end of the flow, under the first shape's triangles, and back along the
-    flow to the other shape.
-
-    Parameters
-    ----------
-    T : Triangulation
-        The first shape; the flow ends with its triangles.
-    flow : Flow
-        Of the other shape.
-    path : str
-    root : "disk-center", "tree-center" or int
-        Of the way to the end of the flow.
-    guarantee : bool
-        Whether angle budgets keep every shape on that way the boundary of an immersed disk.
-
-    Attributes
-    ----------
-    stages : list of (float, ndarray)
-        The triangles in force and from when on; a flip hands two rows on to two rows.
-    events : list of Event
-
-    Notes
-    -----
-    Time is distributed so that at every moment the vertices move equally fast, see `clock`.
-    """
-
-    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int, guarantee: bool = False) -> None:
-        end = T.moved(flow.final.points)
-        spare = np.minimum(0.5 * left_below_full_turn(end), flow.reserve(flow.end))
-        reserve = np.stack([RESERVE * left_below_full_turn(T), spare])
-        straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee, reserve)
-        self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
-        self._clock = Clock([piece.at for piece in self._pieces])
-        starts = self._clock.starts
-        rows = match_rows(flow.final.triangles, T.triangles)
-        self.stages = [(0.0, T.triangles)]
-        for start, piece in zip(starts[1:], self._pieces[1:], strict=False):
-            self.stages.append((start, piece.leg.source.triangles[rows]))
-        self.stages.append((1.0, flow.start.triangles[rows]))
-        self.events = [Event(starts[-1 - stage], e.into, e.out) for e, stage in reversed(flow.events_by_stage())]
-
-    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the shapes at many times.
-
-        Parameters
-        ----------
-        t : ndarray of float64, shape (k,)
-            From 0 to 1.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, n, 2)
-            Within 1e-12 of a flip the shape of the flip, which both lists of triangles cover.
-        """
-        number, share = self._clock.places(t)
-        shapes = np.empty((len(t), *self._pieces[0].leg.target.shape))
-        for i in np.unique(number):
-            here = number == i
-            shapes[here] = self._pieces[i].at(share[here])
-        return shapes
-
-    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
-        """Prove that all shapes are valid in doubles, or tell where that fails.
-
-        Parameters
-        ----------
-        placing : Placing
-
-        Returns
-        -------
-        Doubt, or (float, float)
-            In this motion's time.
-        """
-        last, snaps = len(self._pieces) - 1, [0.0, 1.0]
-        for i, (leg, start, stop) in enumerate(self._pieces):
-            found = leg.first_doubt(placing, max(start, stop), (i in (0, last), i == last == 0))
-            when = [self._clock.time(i, (x - start) / (stop - start)) for x in found[:2]]
-            if isinstance(found, Doubt):
-                return found._replace(start=min(when), stop=max(when))
-            if i == 0:
-                snaps[0] = when[0]
-            elif i == last:
-                snaps[1] = when[0]
-            if i == last == 0:
-                snaps[1] = when[1]
-        return snaps[0], snaps[1]
 
 
 @njit(cache=True)
