@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 import tween
 from tween import gallery
-from tween.choices import PATHS
+from tween.choices import PATHS, ROOT_RULES
 from tween.errors import CurveError, GuaranteeError, IncompatibleError, NotSelfOverlappingError, TweenError
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.compatible.leg import left_below_full_turn
@@ -123,7 +123,7 @@ def tried(seed: int) -> dict[str, Any]:
     """Make one guaranteed morph, and check it."""
     rng = np.random.default_rng([20, seed])
     kind, source, target, options = pair(rng)
-    path, root = PATHS[rng.integers(len(PATHS))], str(rng.choice(["disk-center", "tree-center"]))
+    path, root = PATHS[rng.integers(len(PATHS))], ROOT_RULES[rng.integers(len(ROOT_RULES))]
     options["placement"] = str(rng.choice(["steady", "root"]))
     found: dict[str, Any] = {"seed": seed, "kind": kind, "path": path, "root": root} | options
     try:

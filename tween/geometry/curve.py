@@ -10,11 +10,11 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
-import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
 from tween.geometry.halving import dented, halve_longest_edges
+from tween.geometry.meeting_edges import meeting_edges
 from tween.geometry.predicates import EXACT_RANGE, orient2d
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
@@ -130,7 +130,7 @@ class Curve:
 
     @cached_property
     def crossings(self) -> Crossings:
-        """The pairs of edges that meet, as `.Crossings`; a spatial index proposes, `.orient2d` decides."""
+        """The pairs of edges that meet, as `.Crossings`; exact."""
         return find_crossings(self._points)
 
     def insert_vertices(self, count: int) -> "Curve":
@@ -337,23 +337,5 @@ def find_crossings(points: NDArray[np.float64]) -> Crossings:
     -------
     Crossings
     """
-    p, n = points, len(points)
-    q = np.roll(p, -1, axis=0)
-    edges = shapely.linestrings(np.stack([p, q], axis=1))
-    i, j = shapely.STRtree(edges).query(edges)
-    apart = (i < j) & (j - i != 1) & (j - i != n - 1)
-    i, j = i[apart], j[apart]
-    a, b, c, d = p[i], q[i], p[j], q[j]
-    abc, abd, cda, cdb = orient2d(a, b, c), orient2d(a, b, d), orient2d(c, d, a), orient2d(c, d, b)
-    proper = (abc * abd < 0) & (cda * cdb < 0)
-    on = [(abc, a, b, c), (abd, a, b, d), (cda, c, d, a), (cdb, c, d, b)]
-    touch = np.logical_or.reduce([(side == 0) & _within_box(s, e, x) for side, s, e, x in on])
-    meet = proper | touch
-    order = np.lexsort((j[meet], i[meet]))
-    pairs = np.stack([i[meet], j[meet]], axis=1)[order]
-    return Crossings(_frozen(pairs), _frozen(proper[meet][order]))
-
-
-def _within_box(start: NDArray[np.float64], end: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.bool_]:
-    inside = (np.minimum(start, end) <= x) & (x <= np.maximum(start, end))
-    return inside[:, 0] & inside[:, 1]
+    pairs, proper = meeting_edges(points)
+    return Crossings(_frozen(pairs), _frozen(proper))

@@ -89,8 +89,8 @@ def dented(points: NDArray[np.float64], origin: NDArray[np.intp]) -> NDArray[np.
     for start, stop in zip(given, [*given[1:], given[0] + len(points)], strict=True):
         inner = np.arange(start + 1, stop) % len(points)
         a, b = points[start], points[stop % len(points)]
-        ends = [np.broadcast_to(end, (len(inner), 2)) for end in (a, b)]
-        if not len(inner) or not orient2d(*ends, points[inner]).any():
+        first, last = (np.broadcast_to(end, (len(inner), 2)) for end in (a, b))
+        if not len(inner) or not orient2d(first, last, points[inner]).any():
             continue
         edge = b - a
         length = math.hypot(*edge)

@@ -81,10 +81,10 @@ def clean(
     -------
     CleanedCurve
         A `.Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and
-        what is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a curve
-        which bounds a disk; parts that are not twice the tremor of the stroke (see `.Changes`) are left out.  Where
-        `smooth` is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.  Where
-        none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
+        what is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a
+        curve which bounds a disk; parts that are not twice the tremor of the stroke (see `.Changes`) are left out.
+        Where `smooth` is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.
+        Where none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
 
     Raises
     ------

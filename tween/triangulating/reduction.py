@@ -34,7 +34,9 @@ from numpy.typing import NDArray
 from tween.geometry.curve import Curve
 from tween.geometry.predicates import turn
 
-_PER_CELL = 2  # vertices, on average
+_FAN = 8  # children of a node of the tree of boxes
+_BLOCK = 256  # vertices whose waiting is counted together
+_ROUNDING = 2.0**-49  # of a determinant of two products, as a share of their sizes
 
 
 class Reduction(NamedTuple):
@@ -69,9 +71,10 @@ def reduce_curve(curve: Curve) -> Reduction:
 
     Notes
     -----
-    In rounds along the curve, neighbours of what was removed are left for the next round, so there are
-    O(log n) rounds as a rule.  A grid of cells holds the vertices; each test looks at the cells that the box of its
-    triangle meets.  Exact; near-linear where edges are short.
+    In rounds along the curve, neighbours of what was removed are left for the next round.  A vertex that may not be
+    removed waits for what could change that: a new neighbour, or the removal of a vertex that was found in its
+    triangle; whoever does not wait is passed over, with the same outcome.  A tree of boxes finds vertices in triangles.
+    Exact; near-linear as a rule.
 
     Examples
     --------
@@ -92,28 +95,36 @@ def reduce_curve(curve: Curve) -> Reduction:
 def _reduce(points, crossed):
     n = len(points)
     after, before = (np.arange(n) + 1) % n, (np.arange(n) - 1) % n
-    alive = np.ones(n, np.bool_)
+    order = _in_blocks_of_space(points)
+    leaf, tree = np.argsort(order), _tree(points, order)
+    waits, waiting = np.ones(n, np.bool_), np.bincount(np.arange(n) // _BLOCK)
+    following, preceding = np.full(2 * n, -1), np.full(2 * n, -1)
     removed, dents = np.empty((n, 3), np.int64), np.empty(n, np.bool_)
-    left, first, count = n, 0, 0
-    while left > 3:
-        grid = _grid(points, alive, left)  # keeps what this round removes: _is_empty asks who is alive
-        found, v, steps = 0, first, left  # steps: vertices of this round from v on
-        while steps > 0 and left > 3:
+    first, count, found = 0, 0, True
+    while found:
+        found, position, end = False, first, first + n
+        while count < n - 3:
+            position = _next_waiting(waits, waiting, position, end)
+            if position >= end:
+                break
+            v = position % n
             a, b = before[v], after[v]
             side = turn(points, a, v, b)
-            if _may_go(points, crossed, a, v, b, side) and _is_empty(points, alive, grid, a, v, b, side):
-                crossed[a] |= crossed[v]  # what meets the new edge met one of the two old ones
-                removed[count], dents[count] = (a, v, b), side <= 0
-                alive[v] = False
-                after[a], before[b] = b, a
-                left, count, found = left - 1, count + 1, found + 1
-                # not b at once, or a convex curve would shrink from one side, by ever longer ears
-                first, v, steps = b, after[b], steps - 2
-            else:
-                v, steps = b, steps - 1
-        if found == 0:  # nothing has changed, so nothing would in another round
-            break
-    return np.flatnonzero(alive), removed[:count].copy(), dents[:count].copy()
+            _set_waiting(waits, waiting, v, False)
+            position += 1
+            if not _may_go(points, crossed, a, v, b, side):
+                continue
+            obstacle = _vertex_inside(points, order, tree, a, v, b, side)
+            if obstacle >= 0:
+                _keep(following, preceding, v, obstacle)
+                continue
+            removed[count], dents[count] = (a, v, b), side <= 0
+            crossed[a] |= crossed[v]
+            after[a], before[b] = b, a
+            _remove(tree[1], tree[2], leaf[v])
+            _wake(waits, waiting, following, preceding, a, v, b)
+            found, count, first, position = True, count + 1, b, position + (b - v) % n
+    return np.flatnonzero(tree[1][leaf] > 0), removed[:count].copy(), dents[:count].copy()
 
 
 @njit(cache=True)
@@ -126,55 +137,149 @@ def _may_go(points, crossed, a, v, b, side):
     return min(ax, bx) <= vx <= max(ax, bx) and min(ay, by) <= vy <= max(ay, by)
 
 
-@njit(cache=True)
-def _grid(points, alive, left):
-    """Vertices sorted into square cells: (x0, y0, size, columns, rows, start, items)."""
-    x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
-    for v in range(len(points)):
-        if alive[v]:
-            x0, x1 = min(x0, points[v, 0]), max(x1, points[v, 0])
-            y0, y1 = min(y0, points[v, 1]), max(y1, points[v, 1])
-    wide, high = x1 - x0, y1 - y0
-    # the second term keeps the cells of a thin box few, and those of a flat one from having no size
-    size = max(np.sqrt(wide * high * _PER_CELL / left), max(wide, high) * _PER_CELL / left)
-    columns, rows = int(wide / size) + 1, int(high / size) + 1
-    # sorted by counting: how many a cell has, where each begins, who is in it
-    start = np.zeros(columns * rows + 1, np.int64)
-    for v in range(len(points)):
-        if alive[v]:
-            start[_cell(points[v, 0], x0, size, columns) + columns * _cell(points[v, 1], y0, size, rows) + 1] += 1
-    start = np.cumsum(start)
-    items, fill = np.empty(left, np.int64), start[:-1].copy()
-    for v in range(len(points)):
-        if alive[v]:
-            cell = _cell(points[v, 0], x0, size, columns) + columns * _cell(points[v, 1], y0, size, rows)
-            items[fill[cell]] = v
-            fill[cell] += 1
-    return x0, y0, size, columns, rows, start, items
+# Vertices that wait to be tested
 
 
 @njit(cache=True)
-def _cell(x, x0, size, count):
-    """The cell of a coordinate; monotone in x, so a box of cells holds all points of a box."""
-    return min(count - 1, max(0, int((x - x0) / size)))
+def _set_waiting(waits, waiting, v, value):
+    """Let v wait or not; ``waiting`` counts by blocks."""
+    waiting[v // _BLOCK] += int(value) - int(waits[v])
+    waits[v] = value
 
 
 @njit(cache=True)
-def _is_empty(points, alive, grid, a, v, b, side):
-    """Whether the closed triangle of a, v, b holds no other vertex."""
-    x0, y0, size, columns, rows, start, items = grid
-    low_x, high_x = min(points[a, 0], points[v, 0], points[b, 0]), max(points[a, 0], points[v, 0], points[b, 0])
-    low_y, high_y = min(points[a, 1], points[v, 1], points[b, 1]), max(points[a, 1], points[v, 1], points[b, 1])
-    q, r = (v, b) if side > 0 else (b, v)  # a, q, r is counter-clockwise
-    for row in range(_cell(low_y, y0, size, rows), _cell(high_y, y0, size, rows) + 1):
-        first = _cell(low_x, x0, size, columns) + columns * row
-        last = _cell(high_x, x0, size, columns) + columns * row  # cells of a row follow each other in items
-        for w in items[start[first] : start[last + 1]]:
-            if not alive[w] or w == a or w == v or w == b:
+def _next_waiting(waits, waiting, position, end):
+    """The first position from the given one on whose vertex waits; at least ``end`` where none does before."""
+    n = len(waits)
+    while position < end:
+        v = position % n
+        if waits[v]:
+            break
+        position += min(_BLOCK - v % _BLOCK, n - v) if waiting[v // _BLOCK] == 0 else 1
+    return position
+
+
+@njit(cache=True)
+def _wake(waits, waiting, following, preceding, a, v, b):
+    """Once v is gone, let its neighbours and those that it kept wait to be tested."""
+    for freed in (a, b):
+        _release(following, preceding, freed)
+        _set_waiting(waits, waiting, freed, True)
+    begin = len(waits) + v
+    while following[begin] >= 0:
+        freed = following[begin]
+        _release(following, preceding, freed)
+        _set_waiting(waits, waiting, freed, True)
+
+
+@njit(cache=True)
+def _keep(following, preceding, v, obstacle):
+    """Put v first in the doubly linked list of those that the obstacle keeps, which begins at n + obstacle."""
+    begin = len(following) // 2 + obstacle
+    following[v], preceding[v] = following[begin], begin
+    if following[begin] >= 0:
+        preceding[following[begin]] = v
+    following[begin] = v
+
+
+@njit(cache=True)
+def _release(following, preceding, v):
+    """Take v out of the list that it is in, if any."""
+    if preceding[v] >= 0:
+        following[preceding[v]] = following[v]
+        if following[v] >= 0:
+            preceding[following[v]] = preceding[v]
+        preceding[v] = -1
+
+
+# Vertices in triangles
+
+
+@njit(cache=True)
+def _in_blocks_of_space(points):
+    """Vertices in Morton order of their ranks by abscissa and ordinate: neighbours are near, at whatever scale."""
+    n = len(points)
+    key = np.zeros(n, np.int64)
+    for axis in range(2):
+        sorted_vertices = np.argsort(points[:, axis], kind="mergesort")
+        for rank in range(n):
+            for bit in range(31):
+                key[sorted_vertices[rank]] |= (rank >> bit & 1) << (2 * bit + axis)
+    return np.argsort(key, kind="mergesort")
+
+
+@njit(cache=True)
+def _tree(points, order):
+    """Boxes (x0, y0, x1, y1) of all nodes, numbers of vertices in them, and where each level starts.
+
+    The leaves, single vertices in the given order, come first; node i of a level is the parent of the nodes
+    `_FAN` i, `_FAN` i + 1, ... of the level below, and the root is alone.
+    """
+    n = len(order)
+    starts = [0, n]
+    while starts[-1] - starts[-2] > 1:
+        starts.append(starts[-1] + (starts[-1] - starts[-2] + _FAN - 1) // _FAN)
+    boxes, alive = np.empty((starts[-1], 4)), np.zeros(starts[-1], np.int64)
+    boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
+    boxes[:n, :2], boxes[:n, 2:], alive[:n] = points[order], points[order], 1
+    for level in range(len(starts) - 2):
+        for node in range(starts[level], starts[level + 1]):
+            parent = starts[level + 1] + (node - starts[level]) // _FAN
+            alive[parent] += alive[node]
+            for axis in range(2):
+                boxes[parent, axis] = min(boxes[parent, axis], boxes[node, axis])
+                boxes[parent, axis + 2] = max(boxes[parent, axis + 2], boxes[node, axis + 2])
+    return boxes, alive, np.array(starts)
+
+
+@njit(cache=True)
+def _remove(alive, starts, leaf):
+    """Count one vertex less, from its leaf to the root."""
+    node = leaf
+    for level in range(len(starts) - 1):
+        alive[starts[level] + node] -= 1
+        node //= _FAN
+
+
+@njit(cache=True)
+def _vertex_inside(points, order, tree, a, v, b, side):
+    """Some other vertex in the closed triangle of a, v, b; -1 where there is none."""
+    boxes, alive, starts = tree
+    q, r = (v, b) if side > 0 else (b, v)
+    (ax, ay), (qx, qy), (rx, ry) = points[a], points[q], points[r]
+    x0, x1, y0, y1 = min(ax, qx, rx), max(ax, qx, rx), min(ay, qy, ry), max(ay, qy, ry)
+    root = len(starts) - 2
+    level, node = root, 0
+    while True:
+        i = starts[level] + node
+        if (
+            i < starts[level + 1]
+            and alive[i] > 0
+            and boxes[i, 0] <= x1
+            and boxes[i, 1] <= y1
+            and boxes[i, 2] >= x0
+            and boxes[i, 3] >= y0
+            and not _is_right_of(boxes, i, ax, ay, qx, qy)
+            and not _is_right_of(boxes, i, qx, qy, rx, ry)
+            and not _is_right_of(boxes, i, rx, ry, ax, ay)
+        ):
+            if level > 0:
+                level, node = level - 1, _FAN * node
                 continue
-            if not (low_x <= points[w, 0] <= high_x and low_y <= points[w, 1] <= high_y):
-                continue
-            # where a, v, b are collinear, a w beside their line has turns of both signs, and on it the box decides
-            if turn(points, a, q, w) >= 0 and turn(points, q, r, w) >= 0 and turn(points, r, a, w) >= 0:
-                return False
-    return True
+            w = order[node]
+            if w != a and w != v and w != b:
+                if turn(points, a, q, w) >= 0 and turn(points, q, r, w) >= 0 and turn(points, r, a, w) >= 0:
+                    return w
+        node += 1
+        while node % _FAN == 0 and level < root:  # the next sibling of the parent
+            level, node = level + 1, node // _FAN
+        if level == root:
+            return -1
+
+
+@njit(cache=True)
+def _is_right_of(boxes, i, ax, ay, bx, by):
+    """Whether box i certainly lies to the right of the line from a to b: its leftmost corner does."""
+    x, y = boxes[i, 0 if by > ay else 2], boxes[i, 3 if bx > ax else 1]
+    up, along = (bx - ax) * (y - ay), (by - ay) * (x - ax)
+    return up - along < -_ROUNDING * (abs(up) + abs(along))

@@ -82,7 +82,7 @@ def straight_area_path(areas: NDArray[np.float64], first: NDArray[np.float64], l
     for s in (0, 1):
         p, q = (2 * angles[:, s] + angles[:, 2] for angles in (first, last))
         cubics.append(np.stack([p, (2 * p + q) / 3, (p + 2 * q) / 3, q], axis=1))
-    return AreaPath(areas, *cubics, np.zeros(len(areas)), first, last)
+    return AreaPath(areas, cubics[0], cubics[1], np.zeros(len(areas)), first, last)
 
 
 def kept_below_full_turn(
@@ -115,7 +115,7 @@ def kept_below_full_turn(
     while True:
         over = (_excess(corners, angles_at(_TIMES, path), 2 * np.pi) >= 0).any(axis=1)
         over = over if over.any() else doubtful(path)
-        touched = over[corners].any(axis=1)
+        touched = np.asarray(over)[corners].any(axis=1)
         if not touched.any() or (path.blend[touched] == 1.0).all():
             return path
         path = path._replace(blend=np.where(touched, _more(path.blend), path.blend))

@@ -17,6 +17,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.geometry.triangulation import Triangulation
+from tween.morphing.incompatible.chord_crossings import chord_crossings, crossings_of_chord, crossings_of_chords
 from tween.triangulating.flips import flip_in_place
 
 
@@ -105,13 +106,13 @@ def crossings_by_shift(first: Triangulation, second: Triangulation, shifts: NDAr
     Returns
     -------
     ndarray of int, shape (k,)
-        O(n**2 + n k).
+        O(n k log n).
     """
     if len(first) != len(second):
         raise ValueError(f"triangulations have {len(first)} and {len(second)} vertices, expected equal numbers")
-    counts = crossing_counts(second)
-    i, j = ((first.diagonals[:, e, None] + shifts) % len(first) for e in (0, 1))
-    return counts[i, j].sum(axis=0)
+    prepared = chord_crossings(second)
+    totals = [crossings_of_chords(prepared, (first.diagonals + shift) % len(first)).sum() for shift in shifts]
+    return np.array(totals, dtype=np.int64)
 
 
 def flip_sequence(source: Triangulation, target: Triangulation) -> FlipSequence:
@@ -134,7 +135,7 @@ def flip_sequence(source: Triangulation, target: Triangulation) -> FlipSequence:
     which order; we take, among the flips that reduce the crossings of that diagonal, the one that
     reduces the crossings with the whole target most, and where none reduces these (rare) the best flip
     elsewhere.  So every flip removes a crossing: the sequence ends, and its length never exceeds their
-    number.  O(n) a flip.
+    number.  O(log n) for each diagonal that crosses, or meets in its ends, the one that is being inserted.
 
     Examples
     --------
@@ -151,10 +152,9 @@ def flip_sequence(source: Triangulation, target: Triangulation) -> FlipSequence:
     if len(source) != len(target):
         raise ValueError(f"triangulations have {len(source)} and {len(target)} vertices, expected equal numbers")
     wanted = np.sort(target.diagonals, axis=1)
-    crossed = crossing_counts(source)[wanted[:, 0], wanted[:, 1]]
+    crossed = crossings_of_chords(chord_crossings(source), wanted)
     wanted = wanted[np.lexsort((wanted[:, 1], wanted[:, 0], crossed))]
-    counts = crossing_counts(target)
-    records = _insert_all(source.triangles.copy(), source.twin.copy(), wanted, counts)
+    records = _insert_all(source.triangles.copy(), source.twin.copy(), wanted, chord_crossings(target))
     return FlipSequence(records[:, :2], np.sort(records[:, 2:4], axis=1), np.sort(records[:, 4:], axis=1))
 
 
@@ -166,51 +166,98 @@ def _cross(a, b, c, d):
 
 
 @njit(cache=True)
-def _best_flip(triangles, twin, counts, p, q):
-    """The half-edge whose flip removes most crossings, (half-edge, crossings removed).
+def _removed(triangles, twin, target, h):
+    """How many crossings with the target the flip of half-edge h removes."""
+    t, s = h // 3, h % 3
+    a, b, c = triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
+    g = twin[t, s]
+    d = triangles[g // 3, (g + 2) % 3]
+    return crossings_of_chord(target, a, b) - crossings_of_chord(target, c, d)
 
-    Only those count that cross the chord pq and whose flip does not; where p < 0, all count.
-    """
-    best, most = -1, -counts.size  # fewer than any flip removes
+
+@njit(cache=True)
+def _best_of_all(triangles, twin, target):
+    """The half-edge whose flip removes most crossings with the target, the first of equally good ones."""
+    best, most = -1, -(len(twin) ** 2)
     for h in range(twin.size):
+        if twin[h // 3, h % 3] > h:
+            removed = _removed(triangles, twin, target, h)
+            if removed > most:
+                best, most = h, removed
+    return best
+
+
+@njit(cache=True)
+def _best_across(triangles, twin, side, target, p, q):
+    """The same among the diagonals that cross the chord pq and whose flip does not: (half-edge, crossings removed).
+
+    Walks from p to q through the triangles; z is the vertex beyond the diagonal just crossed.
+    """
+    n = len(side)
+    best, most = -1, -n * n
+    h = _opposite(triangles, twin, side, p, q)
+    while h >= 0:
         t, s = h // 3, h % 3
         g = twin[t, s]
-        if g < h:  # on the curve, or seen from its other half-edge
-            continue
-        a, b, c = triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
-        d = triangles[g // 3, (g + 2) % 3]
-        if p >= 0 and (not _cross(p, q, a, b) or _cross(p, q, c, d)):
-            continue
-        # counts are crossings with the target, which stays: a flip changes no other term of their sum
-        removed = counts[a, b] - counts[c, d]
-        if removed > most:
-            best, most = h, removed
+        before = triangles[t, (s + 2) % 3]
+        z = triangles[g // 3, (g + 2) % 3]
+        if not _cross(p, q, before, z):
+            removed = _removed(triangles, twin, target, min(h, g))
+            if removed > most or (removed == most and min(h, g) < best):
+                best, most = min(h, g), removed
+        if z == q:
+            break
+        beyond = (z - p) % n > (q - p) % n
+        h = 3 * (g // 3) + (g + (1 if beyond else 2)) % 3
     return best, most
 
 
 @njit(cache=True)
-def _insert_all(triangles, twin, wanted, counts):
+def _opposite(triangles, twin, side, p, q):
+    """The half-edge opposite p that the chord pq crosses; -1 where pq is a diagonal or a side itself."""
+    n = len(side)
+    h = side[p]
+    while True:
+        t, s = h // 3, h % 3
+        x = triangles[t, (s + 2) % 3]
+        if (x - p) % n > (q - p) % n:
+            return 3 * t + (s + 1) % 3 if triangles[t, (s + 1) % 3] != q else -1
+        h = twin[t, (s + 2) % 3]
+        if h < 0:
+            return -1
+
+
+@njit(cache=True)
+def _find_sides(triangles, twin, side, t):
+    """Note which half-edges of triangle t are sides of the polygon, by the vertex where they start."""
+    for s in range(3):
+        if twin[t, s] < 0:
+            side[triangles[t, s]] = 3 * t + s
+
+
+@njit(cache=True)
+def _insert_all(triangles, twin, wanted, target):
     """Insert the wanted diagonals one after the other; a row a flip: two rows, out, into."""
-    # each flip removes a crossing or more, so a row for each crossing is enough
-    total = 0
-    for h in range(twin.size):
-        if twin[h // 3, h % 3] > h:
-            total += counts[triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]]
-    records = np.empty((total, 6), np.int64)
-    size = 0
+    side = np.empty(len(triangles) + 2, np.int64)
+    for t in range(len(triangles)):
+        _find_sides(triangles, twin, side, t)
+    records, size = np.empty((len(triangles), 6), np.int64), 0
     for i in range(len(wanted)):
         while True:
-            h, removed = _best_flip(triangles, twin, counts, wanted[i, 0], wanted[i, 1])
-            # what crosses pq next to p has a flip that puts an end at p: so none means that pq is in
+            h, removed = _best_across(triangles, twin, side, target, wanted[i, 0], wanted[i, 1])
             if h < 0:
                 break
-            if removed <= 0:  # then some flip elsewhere does remove a crossing (Hanke, Ottmann and Schuierer)
-                h, removed = _best_flip(triangles, twin, counts, -1, -1)
+            if removed <= 0:
+                h = _best_of_all(triangles, twin, target)
+            if size == len(records):
+                records = np.concatenate((records, np.empty_like(records)))
             t, s = h // 3, h % 3
             g = twin[t, s]
             records[size, 0], records[size, 1] = t, g // 3
             records[size, 2], records[size, 3] = triangles[t, s], triangles[t, (s + 1) % 3]
             records[size, 4], records[size, 5] = triangles[t, (s + 2) % 3], triangles[g // 3, (g + 2) % 3]
             flip_in_place(triangles, twin, h)
+            _find_sides(triangles, twin, side, t)
+            _find_sides(triangles, twin, side, g // 3)
             size += 1
-    return records[:size]
+    return records[:size].copy()
