@@ -227,7 +227,7 @@ def _matched(source: Triangulation, target: Triangulation) -> tuple[_Complexes, 
     """Return the points of both where there are equally many."""
     if len(source) != len(target):
         raise IncompatibleError(
-            f"the target has {len(target)} vertices, expected {len(source)} as the source has; `align` inserts some"
+            f"the target has {len(target)} vertices, expected {len(source)} as the source has; tween.match inserts some"
         )
     p, q = (np.ascontiguousarray(shape.points).view(np.complex128)[:, 0] for shape in (source, target))
     return p, q

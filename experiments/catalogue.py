@@ -14,7 +14,7 @@ class Step(NamedTuple):
     title: str
     results: tuple[str, ...] = ()  # in results/, the one that sums it up first
     figures: tuple[str, ...] = ()  # in results/figures/, those about this step alone
-    seconds: int = 0  # on two cores, with all kernels compiled
+    seconds: int = 0  # roughly, on two cores that do nothing else
 
     @property
     def name(self) -> str:

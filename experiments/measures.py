@@ -49,7 +49,8 @@ def areas_to_disk(
 ) -> NDArray[np.float64]:
     """The area matrix of the morph to a disk, vertex i to vertex i."""
     root = PARAMETERS["root"] if root is None else root
-    return area_matrix(morph_compatible(T, T.moved(disk), path=path, root=root), frames)
+    m = morph_compatible(T, T.moved(disk), path, guarantee=False, placement="root", root=root)
+    return area_matrix(m, frames)
 
 
 def hung(T: Triangulation, disk: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:

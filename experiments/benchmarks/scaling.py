@@ -20,7 +20,7 @@ from scipy.interpolate import CubicSpline
 
 from experiments.benchmarks.tasks import SEED, Timing, report, seconds, spiral_strip
 from experiments.store import RESULTS, write_csv
-from tween import Curve, Triangulation, decompose, gallery, morph, triangulate
+from tween import Curve, Triangulation, decompose, gallery, paper_morph, triangulate
 from tween.triangulating.reduction import reduce_curve
 
 cdt: Any = import_module("pythoncdt") if find_spec("pythoncdt") else None
@@ -117,7 +117,7 @@ def morphs() -> list[Timing]:
     return [
         Timing(
             f"slide morph, n = {len(T)}, 100 frames",
-            lambda: morph(T, D).frames(100),
+            lambda: paper_morph(T, D).frames(100),
             "numpy straight lines",
             lambda: (1 - times) * T.points + times * D.points,
             repeats=3,

@@ -24,19 +24,20 @@ from experiments.subjects import shapes
 from tween import (
     Curve,
     Decomposition,
-    align,
     area_matrix,
     certify,
     decompose,
     gallery,
-    morph,
+    paper_morph,
     remesh,
     triangulate,
     verify,
 )
-from tween.choices import PATHS, Path
+from tween.choices import PATHS, Path, Placement
 from tween.geometry.predicates import orient2d, turn
+from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
+from tween.morphing.strategy import morph_compatible
 from tween.triangulating.costs import edge_length
 
 SEED = 7
@@ -125,9 +126,12 @@ def morphs() -> list[Timing]:
     return [
         Timing(f"remesh, n = {len(T)}", lambda: remesh(T), "scipy Delaunay of the points", lambda: Delaunay(points)),
         Timing(
-            f"slide morph, n = {len(T)}, 100 frames", lambda: morph(R, D).frames(100), "numpy straight lines", straight
+            f"slide morph, n = {len(T)}, 100 frames",
+            lambda: paper_morph(R, D).frames(100),
+            "numpy straight lines",
+            straight,
         ),
-        Timing(f"area matrix, n = {len(T)}, 100 frames", lambda: area_matrix(morph(R, D))),
+        Timing(f"area matrix, n = {len(T)}, 100 frames", lambda: area_matrix(paper_morph(R, D))),
     ]
 
 
@@ -142,9 +146,9 @@ def pairs() -> list[Timing]:
         Timing("flip sequence, n = 200", lambda: flip_sequence(first, second)),
         Timing(
             "incompatible morph, n = 200, 100 frames",
-            lambda: morph(lobes, spiral, strategy="paper").frames(100),
+            lambda: paper_morph(lobes, spiral).frames(100),
             "compatible morph to the disk",
-            lambda: morph(first, first.on_disk()).frames(100),
+            lambda: paper_morph(first, first.on_disk()).frames(100),
             repeats=3,
         ),
     ]
@@ -154,10 +158,10 @@ def guarantees() -> list[Timing]:
     T = remesh(gallery.random_disk(1000, np.random.default_rng(SEED)))
     D = T.on_disk()
 
-    def frames(path: Path, guarantee: bool) -> NDArray[np.float64]:
-        return morph(T, D, path=path, guarantee=guarantee).frames(100)
+    def frames(path: Path, guarantee: bool, placement: Placement = "root") -> NDArray[np.float64]:
+        return morph_compatible(T, D, path, guarantee, placement).frames(100)
 
-    plain = morph(T, D)
+    plain = paper_morph(T, D)
     return [
         *(
             Timing(
@@ -169,12 +173,18 @@ def guarantees() -> list[Timing]:
             for path in PATHS
         ),
         Timing(
+            "steady placement, n = 1000, 100 frames",
+            partial(frames, "metric", True, "steady"),
+            "by the root",
+            partial(frames, "metric", True),
+        ),
+        Timing(
             "verify 100 frames, n = 1000",
             lambda: verify(plain.frames(100), T.triangles),
             "computing them",
             lambda: plain.frames(100),
         ),
-        Timing("certify a guaranteed morph, n = 1000", partial(certify, morph(T, D, path="linear", guarantee=True))),
+        Timing("certify a guaranteed morph, n = 1000", partial(certify, morph_compatible(T, D, path="linear"))),
     ]
 
 

@@ -14,7 +14,7 @@ from experiments.claims import section_3, section_4, section_5, section_6, secti
 from experiments.claims.shared import PARAMETERS, best_angle
 from experiments.store import compute, rng_for
 from experiments.subjects import pairs, shape, shapes
-from tween import decompose, gallery, morph, remesh
+from tween import decompose, gallery, paper_morph, remesh
 
 
 def parts() -> list[str]:
@@ -46,7 +46,7 @@ def curve_to_disk(name: str) -> dict[str, Any]:
     d = decompose(shape(name))
     T, drawn = remesh(d.arbitrary()), d.sample(rng, PARAMETERS["draws"])
     D = T.on_disk()
-    m = morph(T, D)
+    m = paper_morph(T, D)
     return {
         "n": len(T),
         "swaps_valid": section_4.swapped(drawn[0], rng),

@@ -9,7 +9,7 @@ from experiments.baselines import edge_angle, straight
 from experiments.claims.ledger import FAILS, HOLDS, Finding, Numbers, claim, most
 from experiments.claims.shared import PARAMETERS, Floats, largest_smallest_angle
 from experiments.subjects import polygon, shape
-from tween import CurveError, decompose, gallery, morph, triangulate, verify
+from tween import CurveError, decompose, gallery, paper_morph, triangulate, verify
 
 
 @claim(
@@ -25,7 +25,7 @@ from tween import CurveError, decompose, gallery, morph, triangulate, verify
 def every_frame_bounds_a_disk(x: Numbers) -> Finding:
     slide = x.table("guarantee_summary").query("path == 'slide'").astype({"guarantee": str})
     plain, safe = (slide[slide.guarantee == g][["valid", "morphs"]].sum() for g in ("False", "True"))
-    m = morph(*gallery.fan())
+    m = paper_morph(*gallery.fan())
     broken = verify(m.frames(61), m.source.triangles).frames_failed
     return broken > 0 and safe.valid == safe.morphs, (
         f"path slide: {broken} of 61 frames of the fan bound no disk, and some frame of "
@@ -53,7 +53,7 @@ def twists_without_the_interior(x: Numbers) -> Finding:
 def boundary_only(name: str) -> dict[str, int]:
     """Frames that bound no disk whatever: a curve to its disk, or a pair, straight and by edges and angles."""
     T = None if name in gallery.pairs() else triangulate(shape(name))
-    m = morph(*gallery.pair(name)) if T is None else morph(T, T.on_disk())
+    m = paper_morph(*gallery.pair(name)) if T is None else paper_morph(T, T.on_disk())
     ways = {"straight": straight(m.source, m.target), "edge_angle": edge_angle(m.source, m.target), "slide": m}
     times = np.linspace(0, 1, PARAMETERS["boundary_frames"])
     return {k: sum(not bounds_disk(w(t), w.triangles_at(t)) for t in times) for k, w in ways.items()}

@@ -6,7 +6,7 @@ from scipy.stats import spearmanr
 from experiments.claims.ledger import CONDITION, FAILS, HOLDS, Finding, Numbers, claim, most
 from experiments.claims.shared import PARAMETERS, Floats, sorted_angles, turns
 from experiments.subjects import flip_graph
-from tween import Morph, Triangulation, area_matrix, area_rank, frame_variance, morph, verify
+from tween import Morph, Triangulation, area_matrix, area_rank, frame_variance, paper_morph, verify
 from tween.triangulating.costs import smallest_angle
 from tween.triangulating.flips import flip, flippable, locally_delaunay
 
@@ -30,7 +30,7 @@ def slivers_and_places(remeshed: Morph, drawn: list[Triangulation]) -> dict[str,
     """Random triangulations: do slivers go with AR and Var, and is change more local than when remeshed?"""
     values = []
     for S in drawn:
-        m = morph(S, S.moved(remeshed.target.points))
+        m = paper_morph(S, S.moved(remeshed.target.points))
         A = area_matrix(m)
         slivers = (np.degrees(-smallest_angle(S.points)(S.triangles)) < PARAMETERS["sliver_degrees"]).sum()
         own = area_rank(A, 1e-4), frame_variance(A), in_a_tenth(A), in_a_tenth(turns(m))

@@ -10,7 +10,7 @@ from experiments.claims.shared import PARAMETERS, Floats
 from experiments.measures import hung, slid
 from experiments.store import rng_for
 from experiments.subjects import shape
-from tween import Morph, Triangulation, area_matrix, morph, triangulate
+from tween import Morph, Triangulation, area_matrix, paper_morph, triangulate
 from tween.choices import Path
 from tween.morphing.compatible.paths import slides, third_vertices
 
@@ -62,7 +62,7 @@ def lengths_and_areas(name: str, path: Path) -> dict[str, float]:
     """How propagation edges and areas keep between their two ends, on the way to the disk."""
     T = triangulate(shape(name))
     D = T.on_disk()
-    m = morph(T, D, path=path)
+    m = paper_morph(T, D, path=path)
     corners, propagates = hung(T, D.points)
     a, b, c = np.moveaxis((m.frames(PARAMETERS["frames"]) @ np.array([1, 1j]))[:, corners], 2, 0)
     edges = np.abs(np.stack([c - a, c - b], axis=2))

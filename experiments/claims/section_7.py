@@ -7,10 +7,12 @@ from experiments.claims.ledger import CONDITION, FAILS, HOLDS, Finding, Numbers,
 from experiments.claims.shared import PARAMETERS
 from experiments.measures import MEASURES
 from experiments.subjects import both
-from tween import Triangulation, align, area_matrix, area_rank, morph
+from tween import Triangulation, area_matrix, area_rank
 from tween.choices import Order
+from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
 from tween.morphing.incompatible.flow import Flow
+from tween.morphing.strategy import morph_compatible
 
 BETTER = 'Remeshing "quantitatively produces a much better morph" than an arbitrary triangulation'
 
@@ -123,7 +125,7 @@ def rank_measures_uniformity(x: Numbers) -> Finding:
 
 def rank_along_area(T: Triangulation, D: Triangulation) -> dict[str, int]:
     """AR along "area", where every area changes linearly."""
-    return {"AR_along_area": area_rank(area_matrix(morph(T, D, path="area")), 1e-9)}
+    return {"AR_along_area": area_rank(area_matrix(morph_compatible(T, D, path="area", guarantee=False)), 1e-9)}
 
 
 @claim(
@@ -189,7 +191,7 @@ def late_flips(S: Triangulation, T: Triangulation, order: Order) -> float:
 )
 def flips_terminate(x: Numbers) -> Finding:
     slide = x.table("pairs").query("path == 'slide'")
-    last = slide[["u", "v", "u_sequential", "v_sequential"]]
+    last = slide[["u", "v", "u_partial", "v_partial"]]
     return bool((last <= 1).all(axis=None)), (
         f"all flips done by the disk in {(last <= 1).all(axis=1).sum()} of {len(slide)} pairs, from both ends and in "
         f"both orders; the last one at {last.max(axis=None):.4f}, just before it"

@@ -18,7 +18,7 @@ from PIL import Image
 
 from experiments.figures.rows import bottom, draw_layers, fit, places
 from experiments.store import RESULTS, compute, replacing
-from tween import Morph, Triangulation, gallery, morph
+from tween import Morph, Triangulation, gallery, paper_morph
 from tween import plot as draw
 
 FOLDER = RESULTS / "animations"
@@ -93,7 +93,7 @@ def gif(frames: list[Image.Image]) -> bytes:
 def work(name: str) -> int:
     """Write the animation of one pair; returns how many bytes it has."""
     draw.use_style()
-    frames = list(pictures(morph(*gallery.pair(name), strategy="paper")))
+    frames = list(pictures(paper_morph(*gallery.pair(name))))
     for count in PARAMETERS["colors"]:
         content = gif(in_few_colors(frames, count))
         if len(content) <= PARAMETERS["limit"]:

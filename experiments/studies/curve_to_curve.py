@@ -22,8 +22,8 @@ from experiments import measures as table_1
 from experiments.measures import PARAMETERS, QUANTILES, measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import BETWEEN, PAPER, both, pairs
-from tween import Morph, Triangulation, align, area_matrix, decompose, gallery, morph
-from tween.errors import IncompatibleError
+from tween import Morph, Triangulation, area_matrix, decompose, gallery, paper_morph
+from tween.morphing.alignment import align, common
 from tween.triangulating.compatibility import match_rows
 
 ROWS = (1, 3, 4, 7)
@@ -38,7 +38,7 @@ def measure(m: Morph) -> list[float]:
 
 
 def remeshed(name: str) -> Morph:
-    return morph(*gallery.pair(name), strategy="paper")
+    return paper_morph(*gallery.pair(name))
 
 
 def draw(part: str) -> dict[str, list[list[float]]]:
@@ -48,12 +48,12 @@ def draw(part: str) -> dict[str, list[list[float]]]:
     size = min(BATCH, PARAMETERS["samples"] - BATCH * int(batch))
     a = remeshed(name).alignment
     own = [decompose(T.curve).sample(rng, size) for T in (a.source, a.target)]
-    drawn = {"own": [measure(morph(S, T, strategy="paper", shifts=0)) for S, T in zip(*own, strict=True)]}
+    drawn = {"own": [measure(paper_morph(S, T, shifts=0)) for S, T in zip(*own, strict=True)]}
     joint = decompose(a.source.curve, a.target.curve)
     if joint:
         shared = joint.sample(rng, size)
         targets = [Triangulation(a.target.points, S.triangles) for S in shared]
-        drawn["common"] = [measure(morph(S, T, shifts=0)) for S, T in zip(shared, targets, strict=True)]
+        drawn["common"] = [measure(paper_morph(S, T, shifts=0)) for S, T in zip(shared, targets, strict=True)]
     return drawn
 
 
@@ -82,9 +82,9 @@ def paper_row(row: int) -> dict[str, Any]:
 def over_the_disk(S: Triangulation, T: Triangulation) -> NDArray[np.float64]:
     """Area matrix of the morph from S to the disk, and from the disk to T; at the disk one is flipped to the other."""
     disk, half = S.on_disk(), WAYS["frames"] // 2 + 1
-    there = area_matrix(morph(S, disk, shifts=0), half)
-    back = area_matrix(morph(T, T.moved(disk.points), shifts=0), half) * (T.areas.sum() / S.areas.sum())
-    flipped = morph(disk, T.moved(disk.points), strategy="paper", shifts=0).triangles_at(1.0)
+    there = area_matrix(paper_morph(S, disk, shifts=0), half)
+    back = area_matrix(paper_morph(T, T.moved(disk.points), shifts=0), half) * (T.areas.sum() / S.areas.sum())
+    flipped = paper_morph(disk, T.moved(disk.points), shifts=0).triangles_at(1.0)
     return np.hstack([there, back[match_rows(T.triangles, flipped), -2::-1]])
 
 
@@ -118,11 +118,12 @@ def table_of_ways(columns: pd.DataFrame, over: dict[tuple[int, str], dict[str, l
 def straight_and_flipped(pair: str) -> dict[str, Any] | None:
     """One pair under the pivots' correspondence: a common triangulation, and the remeshed ones; None if it has none."""
     source, target = both(pair)
-    try:
-        straight = morph(source, target, strategy="common", shifts=align(source, target).shift)
-    except IncompatibleError:
+    a = align(source, target)
+    shared = common(a.source, a.target)
+    if shared is None:
         return None
-    flipped = morph(source, target, strategy="paper")
+    straight = paper_morph(shared, Triangulation(a.target.points, shared.triangles), shifts=0)
+    flipped = paper_morph(source, target)
     row: dict[str, Any] = dict(zip(("source", "target"), pair.split(BETWEEN), strict=True))
     row["flips"] = len(flipped.events)
     for label, m in (("straight", straight), ("flipped", flipped)):

@@ -87,7 +87,7 @@ def ways(source: Any, target: Any) -> Iterator[tuple[str, bool, Morph]]:
     """Every path, plain and guaranteed, and the baselines on the same correspondence."""
     for path in PATHS:
         for guarantee in (False, True):
-            m = morph(source, target, path=path, guarantee=guarantee)
+            m = morph(source, target, strategy="paper", placement="root", path=path, guarantee=guarantee)
             yield path, guarantee, m
     for name, make in BASELINES.items():
         yield name, False, make(m.source, m.target)

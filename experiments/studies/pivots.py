@@ -14,7 +14,7 @@ import pandas as pd
 
 from experiments import subjects
 from experiments.store import RESULTS, compute, write_csv
-from tween import area_matrix, area_rank, frame_variance, gallery, morph
+from tween import area_matrix, area_rank, frame_variance, gallery, paper_morph
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import equal_counts
 from tween.morphing.incompatible.flip_sequence import crossings_by_shift
@@ -26,7 +26,7 @@ MEASURES = ["crossings", "flips", "finish", "AR_1e-4", "Var"]
 
 def measure(source: Triangulation, target: Triangulation, shift: int) -> list[float]:
     """Crossings, flips, the smaller of u and v, AR, Var."""
-    m = morph(source, target, path=PARAMETERS["path"], strategy="paper", shifts=shift)
+    m = paper_morph(source, target, path=PARAMETERS["path"], shifts=shift)
     A = area_matrix(m, PARAMETERS["frames"])
     finish = min(m.u or 0.0, m.v or 0.0)
     return [m.alignment.crossings, len(m.events), finish, area_rank(A, PARAMETERS["tolerance"]), frame_variance(A)]

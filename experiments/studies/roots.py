@@ -32,7 +32,7 @@ from experiments.measures import MEASURES as TABLE_1
 from experiments.measures import measures, percentile
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
-from tween import Triangulation, area_matrix, frame_variance, morph, remesh, triangulate, verify
+from tween import Triangulation, area_matrix, frame_variance, paper_morph, remesh, triangulate, verify
 from tween.choices import Path
 from tween.gallery.generators import random_disk
 from tween.geometry.dual_tree import RootedTree, disk_center, hops, rooted, tree_center
@@ -107,7 +107,7 @@ def chosen(T: Triangulation, disk: Triangulation, about: pd.DataFrame) -> dict[s
 
 def measure(T: Triangulation, disk: Triangulation, path: Path, root: int) -> dict[str, Any]:
     """What the morph from one root is like; lengths in diameters of the source, areas in the source's."""
-    m = morph(T, disk, path=path, root=root)
+    m = paper_morph(T, disk, path=path, root=root)
     frames, A = m.frames(PARAMETERS["frames"]), area_matrix(m, PARAMETERS["frames"])
     total = A.sum(axis=0)
     factor = np.sqrt(np.linspace(total[0], total[-1], len(total)) / total)

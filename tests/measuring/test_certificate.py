@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from strategies import disks, random_polygons
 
-from tween import Triangulation, morph, remesh, triangulate
+from tween import Triangulation, paper_morph, remesh, triangulate
 from tween.errors import TriangulationError
 from tween.gallery import curve, names, pair, random_disk
 from tween.measuring import certificate
@@ -194,7 +194,7 @@ def test_only_morphs_and_triangulations_are_certified_and_at_two_frames_or_more(
     with pytest.raises(ValueError, match="shape is a Curve, expected a Morph or a Triangulation"):
         certify(curve("ell"))
     with pytest.raises(ValueError, match="1 frames were asked for, expected at least 2"):
-        certify(morph(*fan(1.1)), frames=1)
+        certify(paper_morph(*fan(1.1)), frames=1)
 
 
 # Other routes
@@ -264,7 +264,7 @@ def test_only_the_predicates_are_shared_with_the_rest() -> None:
 def test_certify_agrees_with_validate_frame_by_frame_on_the_gallery(path) -> None:
     for name in names():
         T = triangulate(curve(name))
-        m = morph(T, T.on_disk(), path=path)
+        m = paper_morph(T, T.on_disk(), path=path)
         cert = certify(m, frames=20)
         assert cert.valid
         assert all(is_valid(frame, T.triangles) for frame in m.frames(20))
@@ -274,7 +274,7 @@ def test_certify_agrees_with_validate_frame_by_frame_where_a_disk_is_left() -> N
     refuted = 0
     for seed in range(8):
         T = remesh(random_disk(300, np.random.default_rng(seed)))
-        m = morph(T, T.on_disk(), path="slide")
+        m = paper_morph(T, T.on_disk())
         failed = [not is_valid(frame, T.triangles) for frame in m.frames(20)]
         cert = certify(m, frames=20)
         if any(failed):
@@ -294,7 +294,7 @@ def test_certify_agrees_with_validate_frame_by_frame_where_a_disk_is_left() -> N
 def test_the_slide_between_two_fans_is_refuted(frames: int) -> None:
     source, target = fan(2.0)
     assert certify(source) and certify(target)
-    m = morph(source, target, path="slide")
+    m = paper_morph(source, target)
     failure = certify(m, frames).first_failure
     assert failure is not None
     assert failure.element == 0
@@ -308,7 +308,7 @@ def test_the_slide_between_two_fans_is_refuted(frames: int) -> None:
 
 
 def test_the_gentler_fan_is_fine() -> None:
-    cert = certify(morph(*fan(1.2)))
+    cert = certify(paper_morph(*fan(1.2)))
     assert cert.valid
     assert cert.frames_checked == 100
 
@@ -318,7 +318,7 @@ def test_the_gentler_fan_is_fine() -> None:
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_a_morph_with_flips_is_checked_under_both_triangulations_at_each_flip(turned: bool) -> None:
-    m = morph(*pair("arrow_to_horseshoe")[:: -1 if turned else 1], strategy="paper")
+    m = paper_morph(*pair("arrow_to_horseshoe")[:: -1 if turned else 1])
     cert = certify(m, frames=30)
     assert cert.valid
     inner = {event.time for event in m.events} - {0.0, 1.0}
@@ -359,7 +359,7 @@ def test_triangles_that_change_before_they_may_are_seen_at_the_flip(change: floa
 
 
 def test_a_failure_that_five_frames_miss_is_found_by_refinement() -> None:
-    m = morph(*fan(1.86), path="slide")
+    m = paper_morph(*fan(1.86))
     assert verify(m.frames(5), m.source.triangles).valid
     cert = certify(m, frames=5)
     assert not cert.valid
@@ -417,7 +417,7 @@ def test_refinement_stops_at_a_limit_and_says_so(monkeypatch: pytest.MonkeyPatch
 
 
 def test_a_guarantee_by_construction_is_quoted_in_place_of_refinement() -> None:
-    m = morph(*fan(1.86), path="slide")
+    m = paper_morph(*fan(1.86))
     m.proof = "every angle is interpolated"
     cert = certify(m, frames=5)
     assert cert.frames_checked == 5
@@ -475,7 +475,7 @@ def test_a_certificate_is_read_by_people_and_not_changed() -> None:
 @pytest.mark.slow
 def test_a_hundred_frames_of_a_thousand_vertices_take_less_than_two_seconds() -> None:
     T = random_disk(1000, np.random.default_rng(0))
-    m = morph(T, T.on_disk())
+    m = paper_morph(T, T.on_disk())
     certify(m, frames=2)
     start = time.perf_counter()
     certify(m, frames=100)

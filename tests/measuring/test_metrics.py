@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tween import area_matrix, area_rank, certify, frame_variance, morph, triangulate
+from tween import area_matrix, area_rank, certify, frame_variance, paper_morph, triangulate
 from tween.choices import PATHS
 from tween.gallery import curve, pair
 from tween.measuring.metrics import angle_sums, rank_of
@@ -20,7 +20,7 @@ CURVES = ("arrow", "horseshoe", "two_loops", "five_disks", "spiral_1")
 
 def to_disk(name: str, path="slide"):
     T = triangulate(curve(name))
-    return morph(T, T.on_disk(), path=path)
+    return paper_morph(T, T.on_disk(), path=path)
 
 
 @pytest.mark.parametrize("name", CURVES)
@@ -95,14 +95,14 @@ def test_steps_of_0_and_1_have_variance_a_quarter() -> None:
 @pytest.mark.parametrize("name", CURVES)
 def test_standing_still_has_rank_one_and_no_variance(name: str, path) -> None:
     T = triangulate(curve(name))
-    A = area_matrix(morph(T, T, path=path))
+    A = area_matrix(paper_morph(T, T, path=path))
     assert area_rank(A) == 1
     assert frame_variance(A) < 1e-24
     np.testing.assert_allclose(A, np.tile(A[:, :1], 100), rtol=1e-9)
 
 
 def test_sums_of_angles_are_those_that_a_certificate_finds() -> None:
-    for m in (to_disk("horseshoe"), morph(*pair("comb_to_winding"), strategy="paper")):
+    for m in (to_disk("horseshoe"), paper_morph(*pair("comb_to_winding"))):
         times = np.unique([*np.linspace(0, 1, 100), *(event.time for event in m.events)])
         sums, found = angle_sums(m, times), certify(m)
         np.testing.assert_allclose(sums.sum(axis=0), (len(m.source) - 2) * np.pi)
@@ -112,6 +112,6 @@ def test_sums_of_angles_are_those_that_a_certificate_finds() -> None:
 
 
 def test_a_flip_changes_no_sum_of_angles() -> None:
-    m = morph(*pair("comb_to_winding"), strategy="paper")
+    m = paper_morph(*pair("comb_to_winding"))
     t = m.events[5].time
     np.testing.assert_allclose(*angle_sums(m, np.array([np.nextafter(t, 0), t])).T, atol=1e-9)

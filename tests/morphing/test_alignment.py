@@ -9,9 +9,10 @@ import oracle
 import pytest
 from numpy.typing import NDArray
 
-from tween import Alignment, Curve, NotSelfOverlappingError, Triangulation, align, decompose, triangulate
+from tween import Curve, NotSelfOverlappingError, Triangulation, decompose, triangulate
 from tween.errors import IncompatibleError
 from tween.gallery import curve, letter, random_disk
+from tween.morphing.alignment import Alignment, align
 from tween.triangulating.costs import distortion
 
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]

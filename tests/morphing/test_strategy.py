@@ -1,6 +1,9 @@
-"""Morphs of compatible triangulations."""
+"""Morphs of compatible triangulations, and what `morph` and `paper_morph` make of curves."""
 
+from dataclasses import replace
 from itertools import product
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import oracle
@@ -13,23 +16,32 @@ from strategies import disks
 from tween import (
     Curve,
     CurveError,
+    Match,
+    Morph,
     NotSelfOverlappingError,
     Triangulation,
     TweenError,
+    certify,
     decompose,
+    match,
     morph,
+    paper_morph,
     remesh,
     triangulate,
 )
-from tween.choices import PATHS
+from tween.choices import PATHS, Path, Root
 from tween.errors import IncompatibleError
-from tween.gallery import curve, letter, names, random_disk
+from tween.gallery import curve, fan, letter, names, random_disk
 from tween.geometry.dual_tree import disk_center
 from tween.geometry.predicates import orient2d
 from tween.morphing import strategy
+from tween.morphing.strategy import morph_compatible
 
 ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
 EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]
+# Each has one triangulation, of other degrees than the other's.
+TRIPOD = [(4, 3), (4, 6), (2, 6), (4, 0), (4, 1), (6, 3)]
+FAN = [(0, -10), (2, 4), (1, 1), (0, 0), (-1, 1), (-2, 4)]
 TIMES = np.array([0.0, 0.1, 0.25, 0.5, 0.7, 0.9, 1.0])
 ROOTS = ["disk-center", "tree-center", 0, 7]
 
@@ -53,6 +65,11 @@ def same_shape(z: NDArray[np.complex128], k: int = 1) -> NDArray[np.complex128]:
 
 def size(T: Triangulation) -> float:
     return float(np.ptp(T.points, axis=0).max())
+
+
+def rooted(S: Triangulation, U: Triangulation, path: Path = "slide", root: Root = "disk-center") -> Morph:
+    """The paper's morph along any path: no guarantee, placed by the root."""
+    return morph_compatible(S, U, path, guarantee=False, placement="root", root=root)
 
 
 def pairs(T: Triangulation) -> list[tuple[Triangulation, Triangulation]]:
@@ -82,7 +99,7 @@ every_root = pytest.mark.parametrize("root", ROOTS)
 @every_shape
 def test_it_leads_exactly_from_source_to_target(T: Triangulation, path, root) -> None:
     for S, U in pairs(T):
-        m = morph(S, U, path=path, root=root)
+        m = rooted(S, U, path=path, root=root)
         frames = m.frames(7)
         assert frames.shape == (7, len(T), 2)
         np.testing.assert_array_equal(frames[0], S.points)
@@ -97,13 +114,13 @@ def test_it_leads_exactly_from_source_to_target(T: Triangulation, path, root) ->
 @every_shape
 def test_the_way_back_is_the_way_there(T: Triangulation, path, root) -> None:
     for S, U in pairs(T):
-        there, back = (morph(*ends, path=path, root=root).at(t) for ends, t in (((S, U), TIMES), ((U, S), 1 - TIMES)))
+        there, back = (rooted(*ends, path=path, root=root).at(t) for ends, t in (((S, U), TIMES), ((U, S), 1 - TIMES)))
         np.testing.assert_allclose(there, back, atol=1e-9 * max(size(S), size(U)))
 
 
 def shift_of_source_alone(S: Triangulation, U: Triangulation, shift: complex, **options) -> NDArray[np.float64]:
     """Return the shapes when the source starts elsewhere, minus what that should add to them."""
-    z = complex_of(morph(moved(S, 1, shift), U, **options).at(TIMES))
+    z = complex_of(rooted(moved(S, 1, shift), U, **options).at(TIMES))
     return points_of(z - np.outer(1 - TIMES, np.full(len(S), shift)))
 
 
@@ -113,7 +130,7 @@ def shift_of_source_alone(S: Triangulation, U: Triangulation, shift: complex, **
 def test_a_source_that_starts_elsewhere_is_brought_evenly(T: Triangulation, path, root) -> None:
     # Which of the two shapes the motion is computed from depends on where they lie: both directions run here.
     for S, U in pairs(T):
-        plain = morph(S, U, path=path, root=root).at(TIMES)
+        plain = rooted(S, U, path=path, root=root).at(TIMES)
         for shift in (-64, 64):
             other = shift_of_source_alone(S, U, shift, path=path, root=root)
             np.testing.assert_allclose(other, plain, atol=1e-9 * max(size(S), size(U), 64))
@@ -145,14 +162,14 @@ def test_a_root_that_turns_by_half_a_turn_up_to_rounding_turns_the_same_way_from
 @every_shape
 def test_every_triangle_stays_counter_clockwise(T: Triangulation, path, root) -> None:
     for S, U in pairs(T):
-        m = morph(S, U, path=path, root=root)
+        m = rooted(S, U, path=path, root=root)
         frames = m.frames(40)
         assert (orient2d(*np.moveaxis(frames[:, m.triangles_at(0.5)], 2, 0)) > 0).all()
 
 
 @given(disks(3, 30), st.sampled_from(PATHS), st.floats(0, 1))
 def test_any_frame_has_counter_clockwise_triangles_by_fractions(T: Triangulation, path, t: float) -> None:
-    p = oracle.integers(morph(T, T.on_disk(), path=path)(t))
+    p = oracle.integers(rooted(T, T.on_disk(), path=path)(t))
     assert {oracle.orient2d(*(p[v] for v in triangle)) for triangle in T.triangles} == {1}
 
 
@@ -160,8 +177,8 @@ def test_any_frame_has_counter_clockwise_triangles_by_fractions(T: Triangulation
 @every_shape
 def test_it_follows_a_similarity_of_both_shapes(T: Triangulation, path) -> None:
     for (S, U), factor in product(pairs(T)[:3], (0.01, 1j, 3 - 4j)):
-        plain = complex_of(morph(S, U, path=path).at(TIMES))
-        other = complex_of(morph(moved(S, factor, 5j), moved(U, factor, 5j), path=path).at(TIMES))
+        plain = complex_of(rooted(S, U, path=path).at(TIMES))
+        other = complex_of(rooted(moved(S, factor, 5j), moved(U, factor, 5j), path=path).at(TIMES))
         np.testing.assert_allclose(other, factor * plain + 5j, atol=1e-8 * abs(factor) * max(size(S), size(U), 1))
 
 
@@ -169,9 +186,9 @@ def test_it_follows_a_similarity_of_both_shapes(T: Triangulation, path) -> None:
 @every_shape
 def test_a_similarity_of_the_target_alone_leaves_every_shape_on_the_way(T: Triangulation, path) -> None:
     S, U = T, T.on_disk()
-    plain = same_shape(complex_of(morph(S, U, path=path).at(TIMES)))
+    plain = same_shape(complex_of(rooted(S, U, path=path).at(TIMES)))
     for factor in (1j, -1, 0.8 - 0.6j if path in ("area", "metric") else 2 - 1j):  # those two know lengths
-        other = same_shape(complex_of(morph(S, moved(U, factor, 9), path=path).at(TIMES)))
+        other = same_shape(complex_of(rooted(S, moved(U, factor, 9), path=path).at(TIMES)))
         np.testing.assert_allclose(other, plain, atol=1e-7 * abs(plain).max())
 
 
@@ -179,7 +196,7 @@ def test_a_similarity_of_the_target_alone_leaves_every_shape_on_the_way(T: Trian
 @every_root
 @every_shape
 def test_a_moved_copy_is_reached_by_a_rigid_motion(T: Triangulation, path, root) -> None:
-    frames = morph(T, moved(T, np.exp(2j), 4 + 1j), path=path, root=root).at(TIMES)
+    frames = rooted(T, moved(T, np.exp(2j), 4 + 1j), path=path, root=root).at(TIMES)
     z = complex_of(frames)
     np.testing.assert_allclose(
         same_shape(z), np.tile(same_shape(z[0]), (len(TIMES), 1)), atol=1e-8 * abs(same_shape(z[0])).max()
@@ -212,7 +229,7 @@ def test_slide_keeps_propagation_edges_monotone_relative_to_their_base(T: Triang
     monotone = {}
     for path in PATHS:
         root = disk_center(T, T.on_disk())
-        ratios = propagation_ratios(T, morph(T, T.on_disk(), path=path, root=root).frames(60), root)
+        ratios = propagation_ratios(T, rooted(T, T.on_disk(), path=path, root=root).frames(60), root)
         assert len(ratios) > len(T) - 8
         steps = [np.diff(r) / r.max() for r in ratios]
         monotone[path] = [bool((s >= -1e-9).all() or (s <= 1e-9).all()) for s in steps]
@@ -225,7 +242,7 @@ def test_the_root_triangle_moves_evenly(path) -> None:
     T = some_disks[0]
     for S, U in pairs(T)[:3]:
         corners = T.triangles[5]
-        centres = complex_of(morph(S, U, path=path, root=5).at(TIMES))[:, corners].mean(axis=1)
+        centres = complex_of(rooted(S, U, path=path, root=5).at(TIMES))[:, corners].mean(axis=1)
         np.testing.assert_allclose(centres, (1 - TIMES) * centres[0] + TIMES * centres[-1], atol=1e-9)
 
 
@@ -234,13 +251,14 @@ def test_the_root_triangle_moves_evenly(path) -> None:
 
 def test_a_curve_stands_for_its_remeshed_triangulation() -> None:
     from_points, from_curves, from_triangulations = (
-        morph(shape, triangulate(ELL).on_disk()) for shape in (ELL, Curve(ELL), remesh(decompose(ELL).arbitrary()))
+        paper_morph(shape, triangulate(ELL).on_disk())
+        for shape in (ELL, Curve(ELL), remesh(decompose(ELL).arbitrary()))
     )
     for m in (from_curves, from_triangulations):
         np.testing.assert_array_equal(m.frames(5), from_points.frames(5))
     T = decompose(ELL).arbitrary()
     assert triangulate(T) is T
-    assert morph(ELL, ELL).triangles_at(0).tolist() == triangulate(ELL).triangles.tolist()
+    assert paper_morph(ELL, ELL).triangles_at(0).tolist() == triangulate(ELL).triangles.tolist()
 
 
 @pytest.mark.parametrize("shift", [1, 11, 29])
@@ -267,11 +285,175 @@ def test_gallery_curves_morph_to_the_disk(name: str) -> None:
     assert (orient2d(*np.moveaxis(m.frames(20)[:, T.triangles], 2, 0)) > 0).all()
 
 
-# Errors
+# The best morph there is
 
-# Each has one triangulation, of other degrees than the other's.
-TRIPOD = [(4, 3), (4, 6), (2, 6), (4, 0), (4, 1), (6, 3)]
-FAN = [(0, -10), (2, 4), (1, 1), (0, 0), (-1, 1), (-2, 4)]
+
+def drawn(n: int, seed: int) -> Curve:
+    return random_disk(n, np.random.default_rng(seed)).curve
+
+
+SMALL = [
+    pytest.param(Curve(ELL), Curve(TRIPOD), id="ell-tripod"),
+    pytest.param(Curve(TRIPOD), Curve(FAN), id="tripod-fan"),
+    *(pytest.param(drawn(9, seed), drawn(14, 50 + seed), id=f"disks-{seed}") for seed in range(4)),
+    pytest.param(drawn(36, 1), drawn(30, 2), id="by-levels"),
+]
+every_small_pair = pytest.mark.parametrize(("source", "target"), SMALL)
+
+
+def check_ends(m: Morph, source: Curve, target: Curve) -> None:
+    """Every vertex is where it was, in order, and what was inserted lies on an edge."""
+    ends = ((m(0.0), m.source_vertices, source), (m(1.0), m.target_vertices, target))
+    for shape, rows, given_curve in ends:
+        own = rows >= 0
+        np.testing.assert_array_equal(shape[own], given_curve.points[rows[own]])
+        start = int(np.flatnonzero(rows == 0)[0])
+        in_order = np.roll(rows, -start)
+        assert in_order[in_order >= 0].tolist() == list(range(len(given_curve)))
+        for v in np.flatnonzero(in_order < 0):
+            before = int(in_order[:v].max())
+            p, q = given_curve.points[before], given_curve.points[(before + 1) % len(given_curve)]
+            z = np.roll(shape, -start, axis=0)[v]
+            assert np.hypot(*(z - p)) + np.hypot(*(q - z)) == pytest.approx(np.hypot(*(q - p)), rel=1e-12)
+
+
+@every_small_pair
+def test_a_morph_leads_exactly_from_one_curve_to_the_other_and_says_which_vertex_is_which(source, target) -> None:
+    m = morph(source, target)
+    check_ends(m, source, target)
+    assert ((m.source_vertices >= 0) | (m.target_vertices >= 0)).all()
+    assert m.source_vertices[0] == 0
+
+
+@every_small_pair
+def test_a_matched_morph_flips_nothing_and_every_shape_is_certified(source, target) -> None:
+    m = morph(source, target)
+    assert m.events == [] and (m.u, m.v) == (None, None)
+    np.testing.assert_array_equal(m.source.canonical, m.target.canonical)
+    assert m.proof
+    assert certify(m, frames=61).valid
+
+
+@every_small_pair
+def test_a_morph_is_symmetric(source, target) -> None:
+    there, back = morph(source, target), morph(target, source)
+    start = int(np.flatnonzero(back.target_vertices == 0)[0])
+    returned = np.roll(back.at(1 - TIMES), -start, axis=1)
+    np.testing.assert_allclose(there.at(TIMES), returned, rtol=0, atol=1e-9 * np.ptp(target.points))
+    np.testing.assert_array_equal(np.roll(back.source_vertices, -start), there.target_vertices)
+
+
+def test_auto_is_matched_where_that_needs_no_flips() -> None:
+    source, target = SMALL[2].values
+    first, other = (morph(source, target, strategy=s).frames(5) for s in ("auto", "matched"))
+    np.testing.assert_array_equal(first, other)
+    found = match(source, target)
+    np.testing.assert_array_equal(first[[0, -1]], [found.source.points, found.target.points])
+
+
+@pytest.mark.parametrize("strategy", ["auto", "matched"])
+def test_vertices_that_have_to_correspond_do(strategy) -> None:
+    source, target = drawn(9, 0), drawn(14, 50)
+    plain = morph(source, target)
+    both = np.flatnonzero((plain.source_vertices >= 0) & (plain.target_vertices >= 0))
+    v = int(both[0]) if len(both) else 0
+    pair = (max(0, int(plain.source_vertices[v])), max(0, int(plain.target_vertices[v])))
+    m = morph(source, target, strategy=strategy, landmarks=[pair])
+    assert m.target_vertices[m.source_vertices == pair[0]].tolist() == [pair[1]]
+    check_ends(m, source, target)
+
+
+def test_where_a_match_is_not_complete_flips_do_the_rest(monkeypatch: pytest.MonkeyPatch) -> None:
+    source, target = SMALL[2].values
+
+    def incomplete(*shapes: Any) -> Match:
+        found = match(*shapes)
+        return replace(found, source=remesh(found.source), target=remesh(found.target), complete=False)
+
+    monkeypatch.setattr(strategy, "match", incomplete)
+    m = morph(source, target, strategy="matched")
+    assert m.events
+    check_ends(m, source, target)
+    for t, shape in zip(TIMES, m.at(TIMES), strict=True):
+        assert (orient2d(*np.moveaxis(shape[m.triangles_at(t)], 1, 0)) > 0).all()
+
+
+def test_two_compatible_triangulations_keep_their_triangles() -> None:
+    T = some_disks[0]
+    m = morph(T, T.on_disk())
+    np.testing.assert_array_equal(m.triangles_at(0.5), T.triangles)
+    np.testing.assert_array_equal(m.source_vertices, np.arange(len(T)))
+
+
+# The paper's morph
+
+
+def test_the_paper_s_morph_asks_for_no_order_of_the_two_shapes(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: Any) -> bool:
+        raise AssertionError
+
+    monkeypatch.setattr(strategy, "_comes_later", refused)
+    T = some_disks[0]
+    for source, target in ((T, T.on_disk()), (curve("arrow"), curve("ell")), (curve("ell"), curve("arrow"))):
+        m = paper_morph(source, target)
+        np.testing.assert_array_equal(m.at([0.0, 1.0]), [m.source.points, m.target.points])
+
+
+@every_shape
+def test_the_paper_s_morph_is_symmetric_where_it_does_not_flip(T: Triangulation) -> None:
+    for S, U in pairs(T):
+        there, back = paper_morph(S, U), paper_morph(U, S)
+        returned = np.roll(back.at(1 - TIMES), -there.alignment.shift, axis=1)
+        np.testing.assert_allclose(there.at(TIMES), returned, atol=1e-9 * max(size(S), size(U)))
+
+
+def test_the_paper_s_morph_promises_nothing_and_breaks_the_fan() -> None:
+    m = paper_morph(*fan())
+    assert m.proof == ""
+    assert not certify(m).valid
+    assert certify(morph(*fan())).valid
+
+
+@pytest.mark.parametrize("path", ["slide", "linear"])
+def test_the_paper_s_morph_is_placed_by_the_root(path) -> None:
+    T = some_disks[0]
+    corners = T.triangles[5]
+    centres = complex_of(paper_morph(T, T.on_disk(), path, 5).at(TIMES))[:, corners].mean(axis=1)
+    np.testing.assert_allclose(centres, (1 - TIMES) * centres[0] + TIMES * centres[-1], atol=1e-9)
+
+
+def test_the_paper_s_flips_wait_for_each_other_in_sequence() -> None:
+    source, target = curve("arrow"), curve("ell")
+    m = paper_morph(source, target)
+    np.testing.assert_array_equal(m.frames(5), paper_morph(source, target, order="sequential").frames(5))
+    assert m.events != paper_morph(source, target, order="partial").events
+
+
+# A known correspondence
+
+
+@every_path
+def test_where_the_correspondence_is_known_it_is_the_same_morph(path) -> None:
+    for T in some_disks[:2]:
+        known, found = morph_compatible(T, T.on_disk(), path), morph(T, T.on_disk(), path)
+        np.testing.assert_array_equal(known.frames(7), found.frames(7))
+        assert known.proof == found.proof
+
+
+def test_vertex_i_goes_to_vertex_i_where_the_curve_could_be_turned() -> None:
+    square = Triangulation([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+    m = morph_compatible(square, moved(square, -1))
+    assert m.alignment.shift == 0
+    np.testing.assert_array_equal(m(1.0), -square.points)
+
+
+def test_other_triangles_are_refused_where_the_correspondence_is_known() -> None:
+    square = Triangulation([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+    with pytest.raises(IncompatibleError, match="different triangles; tween.morph takes any two shapes"):
+        morph_compatible(square, square.rolled(1))
+
+
+# Errors
 
 
 @pytest.mark.parametrize(
@@ -280,6 +462,21 @@ FAN = [(0, -10), (2, 4), (1, 1), (0, 0), (-1, 1), (-2, 4)]
         (ELL, EIGHT, {}, NotSelfOverlappingError, "the target bounds no immersed disk: turning number is 0, not 1"),
         (EIGHT, ELL, {}, NotSelfOverlappingError, "the source bounds no immersed disk: turning number is 0, not 1"),
         (TRIPOD, FAN, {"strategy": "common"}, IncompatibleError, "no common triangulation"),
+        (
+            ELL,
+            ELL,
+            {"strategy": "both"},
+            ValueError,
+            "strategy is 'both', expected one of auto, matched, common, paper",
+        ),
+        (ELL, ELL, {"placement": "even"}, ValueError, "placement is 'even', expected one of steady, root"),
+        (
+            ELL,
+            ELL,
+            {"strategy": "paper", "landmarks": [(0, 0)]},
+            ValueError,
+            "landmarks are for the strategy 'matched'",
+        ),
         (ELL, [(0, 0), (0, 0), (1, 1)], {}, CurveError, "edge 0-1 has zero length"),
         (ELL, ELL, {"path": "spline"}, ValueError, "path is 'spline', expected one of"),
         (ELL, ELL, {"root": 4}, ValueError, r"root is 4, expected .* from 0 to 3"),
@@ -306,9 +503,9 @@ def test_whatever_the_root_the_shapes_along_metric_are_congruent_and_along_angle
     T = triangulate(curve("horseshoe"))
     D = T.on_disk()
     for t in (0.25, 0.5, 0.9):
-        first = _distances(morph(T, D, path=path, root=0)(t))
+        first = _distances(rooted(T, D, path=path, root=0)(t))
         for root in (5, 17, "disk-center", "tree-center"):
-            other = _distances(morph(T, D, path=path, root=root)(t))
+            other = _distances(rooted(T, D, path=path, root=root)(t))
             scale = 1.0 if path == "metric" else first.max() / other.max()
             np.testing.assert_allclose(scale * other, first, atol=1e-9 * first.max())
 
@@ -317,14 +514,21 @@ def test_whatever_the_root_the_shapes_along_metric_are_congruent_and_along_angle
 def test_along_the_other_paths_the_root_matters(path) -> None:
     T = triangulate(curve("horseshoe"))
     D = T.on_disk()
-    first, other = (_distances(morph(T, D, path=path, root=root)(0.5)) for root in (0, 17))
+    first, other = (_distances(rooted(T, D, path=path, root=root)(0.5)) for root in (0, 17))
     scale = first.max() / other.max()
     assert np.abs(scale * other - first).max() > 1e-3 * first.max()
 
 
-# What "auto" takes upon itself
+# What "auto" does where there is no match
 
 
+@pytest.fixture
+def no_match(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if two shapes had no common triangulation of all their vertices."""
+    monkeypatch.setattr(strategy, "match", lambda *shapes: SimpleNamespace(complete=False))
+
+
+@pytest.mark.usefixtures("no_match")
 def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.MonkeyPatch) -> None:
     pair = curve("arrow"), letter("c")  # common triangulations, but not as the pivots have it
     assert not morph(*pair).events
@@ -333,10 +537,11 @@ def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.Monk
     assert not morph(*pair, strategy="common").events
 
 
+@pytest.mark.usefixtures("no_match")
 def test_between_large_convex_polygons_auto_flips_rather_than_fills_the_memory() -> None:
     angle = 2 * np.pi * np.arange(600) / 600
     wide = np.stack([2 * np.cos(angle), np.sin(angle)], axis=1)
     egg = np.stack([np.cos(angle), 1.5 * np.sin(angle) + 0.1 * np.cos(3 * angle)], axis=1)
-    m = morph(wide, egg)
+    m = morph(wide, egg, path="slide", guarantee=False)
     assert m.events
     np.testing.assert_array_equal(m(1.0), m.target.points)

@@ -134,7 +134,7 @@ def _turns(y: NDArray[np.complex128], after: NDArray[np.complex128]) -> NDArray[
 @njit(cache=True)
 def _area(shape):
     """The signed area of a curve, about its first vertex so that nothing large cancels."""
-    total = 0.0
+    total = 0.0  # layers add up, so for an immersed disk this is the area of its triangles, and positive
     for i in range(1, len(shape) - 1):
         ax, ay = shape[i, 0] - shape[0, 0], shape[i, 1] - shape[0, 1]
         bx, by = shape[i + 1, 0] - shape[0, 0], shape[i + 1, 1] - shape[0, 1]
@@ -152,6 +152,7 @@ def _place(shapes, t, angle, ends, keeps_size):
         scale = 1.0
         if not keeps_size:
             scale = np.sqrt(((1.0 - t[f]) * ends[0, 2] + t[f] * ends[1, 2]) / _area(shapes[f]))
+        # one rotation and scale for the whole shape: a similarity, which keeps every angle
         c, s = scale * np.cos(angle[f]), scale * np.sin(angle[f])
         x0, y0 = shapes[f, :, 0].mean(), shapes[f, :, 1].mean()
         x1 = (1.0 - t[f]) * ends[0, 0] + t[f] * ends[1, 0]

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from experiments.baselines import edge_angle, straight
 from experiments.figures.registry import SEED, WIDTH, drawing
 from experiments.store import rng_for
-from tween import Morph, Triangulation, decompose, gallery, morph, triangulate
+from tween import Morph, Triangulation, decompose, gallery, morph, paper_morph, triangulate
 from tween import plot as draw
 from tween.choices import Path
 from tween.geometry.dual_tree import rooted
@@ -65,8 +65,10 @@ def share_of_tenth(amounts: NDArray[np.float64]) -> float:
 
 
 def common_size(source: Any, target: Any) -> tuple[Triangulation, Triangulation]:
-    """What a morph between two curves leads from and to, the target scaled to the source's area."""
-    m = morph(source, target)
+    """Two curves with the same triangles, remeshed where that makes them so; the target scaled to the source's area."""
+    m = paper_morph(source, target)
+    if m.events:
+        m = morph(source, target, strategy="common")
     scale = np.sqrt(m.source.areas.sum() / m.target.areas.sum())
     return m.source, m.target.moved(scale * m.target.points)
 
@@ -88,7 +90,7 @@ def figure_4() -> Figure:
     rows = {
         "vertices along straight lines": straight(source, target),
         "lengths and turning angles of edges": edge_angle(source, target),
-        "triangles of the interior": morph(source, target, shifts=0),
+        "triangles of the interior": paper_morph(source, target, shifts=0),
     }
     figure, axes = plt.subplots(3, 1, figsize=(WIDTH, 5.0))
     film(axes, list(rows.values()), TIMES)
@@ -112,9 +114,9 @@ def figure_6() -> Figure:
     T = triangulate(gallery.curve("winding_3"))
     disk = T.on_disk().points
     drawn = decompose(T.curve).sample(rng_for(SEED, "figure 6"), SAMPLES)
-    morphs = [morph(S, Triangulation(disk, S.triangles)) for S in drawn]
+    morphs = [paper_morph(S, Triangulation(disk, S.triangles)) for S in drawn]
     order = np.argsort([share_of_tenth(bending(m)) for m in morphs])
-    rows = {"random": morphs[order[SAMPLES // 2]], "remeshed": morph(T, T.moved(disk))}
+    rows = {"random": morphs[order[SAMPLES // 2]], "remeshed": paper_morph(T, T.moved(disk))}
     figure, axes = plt.subplots(2, 1, figsize=(WIDTH, 3.8))
     film(axes, list(rows.values()), TIMES)
     for ax, (label, m) in zip(axes, rows.items(), strict=True):
@@ -161,7 +163,7 @@ def figure_8() -> Figure:
     figure, axes = plt.subplots(4, 1, figsize=(WIDTH, 5.7))
     for two, (label, curves) in zip(axes.reshape(2, 2), pairs.items(), strict=True):
         shapes = common_size(*curves)
-        morphs = {path: morph(*shapes, path=path, shifts=0) for path in ("linear", "slide")}
+        morphs = {path: paper_morph(*shapes, path=path, shifts=0) for path in ("linear", "slide")}
         middles = film(two, list(morphs.values()), MORE_TIMES)
         for ax, (path, m) in zip(two, morphs.items(), strict=True):
             least = 1 / shrinkage(m, np.linspace(0, 1, FRAMES)).max()

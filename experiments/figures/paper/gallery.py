@@ -7,7 +7,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from experiments.figures.registry import WIDTH, drawing
 from experiments.figures.rows import SHAPES, bands, draw_row
 from experiments.subjects import shape, shapes
-from tween import Morph, gallery, morph
+from tween import Morph, gallery, paper_morph
 from tween import plot as draw
 
 
@@ -29,7 +29,7 @@ def figure_11() -> Figure:
     """The seven pairs of the gallery, a row each."""
     figure = plt.figure(figsize=(WIDTH, 9.4), layout=ConstrainedLayoutEngine(h_pad=0.06))
     for number, (part, name) in enumerate(zip(bands(figure, [1] * 7), gallery.pairs(), strict=True), start=1):
-        m = morph(*gallery.pair(name), strategy="paper")
+        m = paper_morph(*gallery.pair(name))
         draw_row(part.subplots(1, SHAPES), m)
         part.suptitle(title(number, name, m), x=0.01, ha="left", fontsize=8)
     return figure

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from experiments.figures.registry import SEED, drawing
 from experiments.store import rng_for
-from tween import Curve, Triangulation, compatible_shift, decompose, gallery, morph, triangulate
+from tween import Curve, Triangulation, compatible_shift, decompose, gallery, paper_morph, triangulate
 from tween import plot as draw
 from tween.triangulating.flips import flip, locally_delaunay
 
@@ -33,7 +33,7 @@ TWISTING = (0, 0.45, 0.65, 0.85, 1)
 def figure_1() -> Figure:
     """A disk stretched and overlapped, and one that is twisted."""
     T = triangulate(gallery.curve("horseshoe"))
-    m = morph(T.on_disk(), T)
+    m = paper_morph(T.on_disk(), T)
     rows = [[[(m(t), draw.SOURCE)] for t in STRETCHING], [_sides(t) for t in TWISTING]]
     boundaries = (T.points, _turned_over(1)[:-1])
     figure, axes = plt.subplots(2, 6, figsize=(7.2, 2.7))

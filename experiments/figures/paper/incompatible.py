@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from experiments.figures.registry import WIDTH, drawing
 from experiments.figures.rows import SHAPES, bands, draw_row, fit
-from tween import Triangulation, align, gallery, morph
+from tween import Triangulation, gallery, paper_morph
 from tween import plot as draw
+from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
 from tween.morphing.incompatible.flow import Flow
 from tween.triangulating.flips import flip
@@ -103,8 +104,8 @@ def draw_diagonals(ax: Axes, T: Triangulation, known: Triangulation, width: floa
 def figure_9() -> Figure:
     """The same two curves with and without matched pivots."""
     a, b = gallery.pair("ell_to_two_loops")
-    matched = morph(a, b, strategy="paper")
-    away = morph(a, b, strategy="paper", shifts=matched.alignment.shift + len(matched.source) // 4)
+    matched = paper_morph(a, b)
+    away = paper_morph(a, b, shifts=matched.alignment.shift + len(matched.source) // 4)
     figure = plt.figure(figsize=(WIDTH, 3.0))
     labels = ("A quarter of the vertices away", "Pivots matched")
     for part, m, label in zip(bands(figure, [1, 1]), (away, matched), labels, strict=True):

@@ -13,6 +13,8 @@ from experiments.store import RESULTS
 from tween import certify, gallery, morph, triangulate
 from tween import plot as draw
 from tween.choices import PATHS, Path
+from tween.morphing.morph import Morph
+from tween.morphing.strategy import morph_compatible
 
 TIMES = np.linspace(0, 1, 7)
 KINDS = {
@@ -30,6 +32,10 @@ def hub_sums(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.angle(z[:, 1:] / z[:, :-1]).sum(axis=1) / np.pi
 
 
+def _fan_morph(path: Path, guarantee: bool) -> Morph:
+    return morph_compatible(*gallery.fan(), path, guarantee, placement="root")
+
+
 @drawing(
     "guarantee_fan",
     "ours",
@@ -38,19 +44,19 @@ def hub_sums(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
     t = 1/2 along slide, plain (its ends overlap beyond a full turn: it bounds no immersed disk) and guaranteed.""",
 )
 def guarantee_fan() -> Figure:
-    source, target = gallery.fan()
+    source = gallery.fan()[0]
     figure, (left, *shapes) = plt.subplots(1, 3, figsize=(WIDTH, 2.5), width_ratios=(1.5, 1, 1))
     t = np.linspace(0, 1, 401)
     lines: tuple[tuple[Path, bool, str], ...] = (("linear", False, "--"), ("slide", False, "-"), ("slide", True, "-"))
     for path, guarantee, style in lines:
-        sums = hub_sums(morph(source, target, path=path, guarantee=guarantee).at(t))
+        sums = hub_sums(_fan_morph(path, guarantee).at(t))
         left.plot(t, sums, style, color=draw.SOURCE if guarantee else draw.FAILURE)
     left.axhline(2, color="0.4", linewidth=0.7)
     left.set(xlabel="time", ylabel="sum of angles / pi", xticks=[0, 0.5, 1])
     for text, x, y in (("linear", 0.53, 2.2), ("slide", 0.25, 2.085), ("slide, guaranteed", 0.5, 1.62)):
         left.text(x, y, text, ha="left" if text == "linear" else "center", fontsize=8)
     for ax, guarantee in zip(shapes, (False, True), strict=True):
-        m = morph(source, target, path="slide", guarantee=guarantee)
+        m = _fan_morph("slide", guarantee)
         color = draw.SOURCE if guarantee else draw.FAILURE
         draw.draw_triangulation(source.moved(m(0.5)), ax, colors=color, alpha=0.25)
         ax.set_title("guaranteed" if guarantee else "plain")
@@ -118,6 +124,6 @@ def guarantee_paths() -> Figure:
     for ax, path in zip(axes, PATHS, strict=True):
         m = morph(T, T.on_disk(), path=path, guarantee=True)
         assert certify(m).valid
-        draw.draw_filmstrip(m, TIMES, ax, labels=path == PATHS[-1], one_scale=False)
+        draw.draw_filmstrip(m, TIMES, ax, labels=path == PATHS[-1])
         ax.set_title(path, loc="left")
     return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from experiments.figures.registry import WIDTH, drawing
 from experiments.store import RESULTS
-from tween import Triangulation, area_matrix, gallery, morph, triangulate
+from tween import Triangulation, area_matrix, gallery, paper_morph, triangulate
 from tween import plot as draw
 from tween.geometry.dual_tree import disk_center, hops
 
@@ -32,7 +32,7 @@ def root_shapes() -> Figure:
     step = 2.6 * np.ptp(T.points, axis=0).max()
     rows = [("the paper's\nroot", centre, False, 0.0), ("a root\nat an end", leaf, False, -1.0)]
     for label, root, scaled, height in [*rows, ("the paper's\nroot, scaled", centre, True, -1.75)]:
-        m = morph(T, T.on_disk(), path="linear", root=root)
+        m = paper_morph(T, T.on_disk(), path="linear", root=root)
         areas = area_matrix(m, len(TIMES)).sum(axis=0)
         for i, (shape, area) in enumerate(zip(m.at(TIMES), areas, strict=True)):
             drawn = shape / np.sqrt(area) if scaled else shape

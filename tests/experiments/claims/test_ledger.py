@@ -6,6 +6,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+import experiments.claims.measure  # noqa: F401, it enters the claims of all sections
 from experiments import store
 from experiments.claims import ledger as claims
 
@@ -103,7 +104,7 @@ def test_a_missing_result_is_answered_with_the_study_to_run(tmp_path: Path, monk
 def test_a_verdict_that_is_not_borne_out_stops_the_ledger(monkeypatch: pytest.MonkeyPatch) -> None:
     c = claims.LEDGER["symmetric"]._replace(find=lambda x: (False, "0 of 1"))
     monkeypatch.setattr(claims, "LEDGER", {"symmetric": c})
-    with pytest.raises(SystemExit, match="'holds' is not borne out for symmetric: 0 of 1"):
+    with pytest.raises(SystemExit, match="'holds under a condition' is not borne out for symmetric: 0 of 1"):
         claims.ledger(claims.Numbers(dict))
 
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tween import Triangulation, certify, gallery, morph, remesh, triangulate
+from tween import Triangulation, certify, gallery, morph, paper_morph, remesh, triangulate
 from tween.choices import PATHS, Path
 from tween.morphing.compatible.angle_bounds import largest_angles
 from tween.morphing.compatible.angle_budgets import vertex_sums
@@ -66,15 +66,15 @@ def sum_of_angles(triangles: np.ndarray, shapes: np.ndarray) -> np.ndarray:
 
 def test_where_bounds_prove_it_no_budget_is_given_and_the_certificate_says_so() -> None:
     T = triangulate(gallery.curve("horseshoe"))
-    m = morph(T, T.on_disk(), guarantee=True)
-    np.testing.assert_array_equal(m.frames(20), morph(T, T.on_disk()).frames(20))
+    m = morph(T, T.on_disk(), path="slide", guarantee=True, placement="root")
+    np.testing.assert_array_equal(m.frames(20), morph(T, T.on_disk(), "slide", False, placement="root").frames(20))
     assert "by construction" in certify(m).proof
 
 
 @pytest.mark.parametrize("path", PATHS)
 def test_what_is_proved_is_said_and_nothing_else(path: Path) -> None:
     T = Triangulation([[0, 0], [3, 0], [3, 1], [1, 1]], [[0, 1, 2], [0, 2, 3]])
-    assert bool(morph(T, T.on_disk(), path=path).proof) == (path == "angle")
+    assert bool(paper_morph(T, T.on_disk(), path=path).proof) == (path == "angle")
     assert bool(morph(T, T.on_disk(), path=path, guarantee=True).proof) == (path != "area")
 
 

@@ -3,7 +3,18 @@
 import numpy as np
 import pytest
 
-from tween import Triangulation, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate
+from tween import (
+    Triangulation,
+    area_matrix,
+    area_rank,
+    certify,
+    frame_variance,
+    gallery,
+    morph,
+    paper_morph,
+    remesh,
+    triangulate,
+)
 from tween.choices import PATHS
 from tween.errors import TriangulationError
 from tween.morphing.compatible.angle_budgets import proved_budgets
@@ -72,7 +83,7 @@ def test_the_paths_of_the_paper_break_the_fan(path: str) -> None:
     source, target = gallery.fan()
     source.validate()
     target.validate()
-    m = morph(source, target, path=path)
+    m = paper_morph(source, target, path=path)
     assert sum(is_broken(source.moved(shape)) for shape in m.frames(41)) > 15
     assert m.proof == ""
 
@@ -96,7 +107,7 @@ def test_budgets_bring_no_jump(path: str) -> None:
 def test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures() -> None:
     for name in gallery.names():
         T = triangulate(gallery.curve(name))
-        A = area_matrix(morph(T, T.on_disk(), path="area"))
+        A = area_matrix(paper_morph(T, T.on_disk(), path="area"))
         assert area_rank(A, 1e-9) == 2 or name == "convex"
         assert frame_variance(A) < 1e-20
 
