@@ -39,6 +39,7 @@ Writes results/flip_order.csv, a row a pair and path, and results/flip_order_sum
 """
 
 from collections.abc import Iterator
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -59,6 +60,7 @@ PARAMETERS: dict[str, Any] = {"seed": 20100, "pairs": 60, "paths": ["slide", "an
 ROOT = "disk-center"
 STEP = 1 / 512  # as in `Flow`: a shorter spell of convexity may be missed
 SIXTEENTHS = np.arange(1, 17) / 16
+AT_BOUND = 1e-6  # times are found to 2e-9 of a leg, and written to six digits
 WAYS = ("sequential", "partial", "greedy", "divided")
 
 
@@ -106,15 +108,19 @@ def reversed_sequence(source: Triangulation, target: Triangulation) -> FlipSeque
     return FlipSequence(np.array(rows).reshape(-1, 2), back.into[::-1], back.out[::-1])
 
 
-def greedy(T: Triangulation, other: Triangulation, path: Path) -> float:
-    """When the flow is done that makes any flip that removes crossings, as soon as it can, the best one first."""
-    counts, disk, end = crossing_counts(other), T.on_disk().points, 0.0
+def greedy(T: Triangulation, other: Triangulation, path: Path) -> tuple[float, int]:
+    """When the flow is done that makes any flip that removes crossings, as soon as it can; and how many flips it makes.
+
+    While two triangulations differ some flip removes crossings, and on the disk it is possible: so the flow ends.
+    """
+    counts, disk, end, flips = crossing_counts(other), T.on_disk().points, 0.0, 0
     while True:
-        T = _flip_greedily(T, counts)
+        T, more = _flip_greedily(T, counts)
+        flips += more
         quads = np.array([quad for _, _, quad in _useful(T, counts)])
         if not len(quads):
             assert count_crossings(T, other) == 0
-            return end
+            return end, flips
         leg = Leg(T, disk, path, root_triangle(ROOT, T))
         share, points = _first_possible(leg, quads, min(1.0, STEP / (1 - end)))
         end = 1.0 if share == 1 else end + share * (1 - end)
@@ -130,16 +136,17 @@ def _useful(T: Triangulation, counts: NDArray[np.int64]) -> Iterator[tuple[int, 
             yield h, removed, (a, b, c, d)
 
 
-def _flip_greedily(T: Triangulation, counts: NDArray[np.int64]) -> Triangulation:
-    """Flip, most crossings removed first, until no possible flip removes any."""
+def _flip_greedily(T: Triangulation, counts: NDArray[np.int64]) -> tuple[Triangulation, int]:
+    """Flip, most crossings removed first, until no possible flip removes any; also how many flips that took."""
     triangles, twin = T.triangles.copy(), T.twin.copy()
-    while True:
+    for flips in count():
         T = Triangulation(T.points, triangles)._knowing(twin)
         possible = [(-removed, h) for h, removed, _ in _useful(T, counts) if is_convex(T.points, triangles, twin, h)]
         if not possible:
-            return T
+            return T, flips
         triangles, twin = triangles.copy(), twin.copy()
         flip_in_place(triangles, twin, min(possible)[1])
+    raise AssertionError
 
 
 def _first_possible(leg: Leg, quads: NDArray[np.int64], step: float) -> tuple[float, NDArray[np.float64]]:
@@ -182,7 +189,7 @@ def work(pair: str) -> list[dict[str, Any]]:
             row[f"{letter}_bound"] = lower_bound(S, T)
             for order in ORDERS:
                 row[f"{letter}_{order}"] = Flow(S, flip_sequence(S, T), path, ROOT, order).end
-            row[f"{letter}_greedy"] = greedy(S, T, path)
+            row[f"{letter}_greedy"], row[f"{letter}_greedy_flips"] = greedy(S, T, path)
         row["divided"] = divided(*ends[0], path)
         rows.append(row)
     return rows
@@ -196,7 +203,7 @@ def table(rows: list[dict[str, Any]]) -> pd.DataFrame:
     result = pd.DataFrame(rows)
     for way in ("bound", "sequential", "partial", "greedy"):
         result[way] = result[[f"u_{way}", f"v_{way}"]].min(axis=1)
-    columns = ["pair", "path", "n", "crossings", "flips"]
+    columns = ["pair", "path", "n", "crossings", "flips", "u_greedy_flips", "v_greedy_flips"]
     times = [f"{letter}_{way}" for letter in "uv" for way in ("bound", *WAYS[:3])]
     result = result[[*columns, *times, "bound", *WAYS]]
     result[[*times, "bound", *WAYS]] = result[[*times, "bound", *WAYS]].astype(float).round(6)
@@ -204,7 +211,10 @@ def table(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def summary(rows: pd.DataFrame) -> pd.DataFrame:
-    """How far each way has to go, and on how many pairs it finishes earlier, or later, than the paper's."""
+    """How far each way has to go; on how many pairs it finishes earlier, or later, than the paper's.
+
+    Along "angle" also in how many flows, two a pair, the time is the lower bound, so that no order finishes earlier.
+    """
     found = []
     for path in PARAMETERS["paths"]:
         of = rows[rows.path == path]
@@ -217,9 +227,13 @@ def summary(rows: pd.DataFrame) -> pd.DataFrame:
             if way != "bound":
                 row |= {"earlier": int((gain > PARAMETERS["earlier"]).sum())}
                 row |= {"later": int((gain < -PARAMETERS["earlier"]).sum())}
+            if path == "angle" and way in WAYS[:3]:
+                over = np.concatenate([of[f"{letter}_{way}"] - of[f"{letter}_bound"] for letter in "uv"])
+                row |= {"flows_at_bound": int((over <= AT_BOUND).sum())}
             found.append({"path": path, "way": way, "pairs": len(of), **row})
     result = pd.DataFrame(found).round(4)
-    result[["earlier", "later"]] = result[["earlier", "later"]].astype("Int64")
+    counts = ["earlier", "later", "flows_at_bound"]
+    result[counts] = result[counts].astype("Int64")
     return result
 
 
