@@ -16,7 +16,7 @@ from tween import plot as draw
 
 TIMES = np.linspace(0, 1, SHAPES)
 # Of a pair in the first figure, in inches: room for labels left, above, below and between shapes; narrowest, tallest.
-MARGIN, ABOVE, BELOW, GAP, COLUMN, TALLEST = 0.95, 0.24, 0.24, 0.12, 0.5, 1.7
+MARGIN, ABOVE, BELOW, GAP, COLUMN, TALLEST = 0.95, 0.24, 0.24, 0.1, 0.5, 1.2
 LABELS = {
     "paper": "paper, as printed",
     "paper_guaranteed": "paper, guaranteed",
@@ -44,7 +44,8 @@ def matching_pairs() -> Figure:
     """The seven pairs of the gallery, the paper's way and matched."""
     layouts = {name: _Layout(paper_morph(*gallery.pair(name)), morph(*gallery.pair(name))) for name in gallery.pairs()}
     total = sum(layout.height for layout in layouts.values())
-    figure = plt.figure(figsize=(WIDTH, total), layout="none")
+    figure = plt.figure(figsize=(WIDTH, total))
+    figure.set_layout_engine("none")
     top = total
     for number, (name, layout) in enumerate(layouts.items(), start=1):
         top -= layout.height
