@@ -67,11 +67,23 @@ STUDIES = (
         seconds=30,
     ),
     Step(
+        "studies.flip_order",
+        "An order of flips that finishes early",
+        results=("flip_order_summary.csv", "flip_order.csv"),
+        seconds=60,
+    ),
+    Step(
         "studies.roots",
         "The triangle that the motion starts from",
         results=("roots_summary.csv", "roots.csv"),
         figures=("root_shapes", "root_choice", "root_heights"),
         seconds=60,
+    ),
+    Step(
+        "studies.root_steady",
+        "The root, where it no longer decides the size",
+        results=("root_steady_summary.csv", "root_steady.csv"),
+        seconds=90,
     ),
     Step(
         "studies.guarantee",
@@ -80,6 +92,15 @@ STUDIES = (
         figures=("guarantee_fan", "guarantee_study", "guarantee_paths"),
         seconds=60,
     ),
+    Step("studies.matching_sample", "Matching: a sample of all pairs again", seconds=45),
+)
+# All pairs take long, so `make matching` computes them, and `reproduce` a sample only, which it compares.
+MATCHING = Step(
+    "studies.matching",
+    "Matching: all pairs, every method",
+    results=("matching_summary.csv", "matching.csv"),
+    figures=("matching_study", "matching_pairs"),
+    seconds=600,
 )
 # What is made of the studies' results.
 STEPS = (
@@ -92,8 +113,9 @@ STEPS = (
 )
 # Times that it measures are no results that could be found again, so `reproduce` leaves it out.
 SCALING = Step("benchmarks.scaling", "How the time grows", results=("scaling.csv",), figures=("scaling",), seconds=60)
+EVERY = (*STEPS, MATCHING, SCALING)
 
 
 def writer(file: str) -> Step:
     """The step that writes a file of results/."""
-    return next(step for step in (*STEPS, SCALING) if file in step.results)
+    return next(step for step in EVERY if file in step.results)

@@ -196,3 +196,50 @@ def flips_terminate(x: Numbers) -> Finding:
         f"all flips done by the disk in {(last <= 1).all(axis=1).sum()} of {len(slide)} pairs, from both ends and in "
         f"both orders; the last one at {last.max(axis=None):.4f}, just before it"
     )
+
+
+@claim(
+    "7",
+    '"We need a better method to align multiple features, and retriangulate the curve based on this alignment"; it "can '
+    'produce better morphing results"',
+    HOLDS,
+    ("experiments/studies/matching.py", "experiments/studies/matching_sample.py"),
+    "matching_study.png",
+)
+def better_alignment(x: Numbers) -> Finding:
+    table = x.table("matching_summary").set_index(["method", "measure"])
+    paper, ours = table.loc["paper"], table.loc["matched"]
+    names = {"AR_1e-4": "AR (1e-4)", "Var": "Var", "path_length": "paths"}
+    better = paper.loc[[f"matched_better: {name}" for name in names]]
+    free = int((x.table("matching").query("method == 'matched'").flips == 0).sum())
+    medians = "; ".join(
+        f"{word} {ours.loc[name, 'median']:.3g} instead of {paper.loc[name, 'median']:.3g}, better on {share:.0%} "
+        f"({low:.0%} to {high:.0%})"
+        for (name, word), (share, low, high) in zip(
+            names.items(), better[["share", "low", "high"]].itertuples(index=False), strict=True
+        )
+    )
+    return bool((better.share >= 2 / 3).all() and (better.low > 0.5).all()), (
+        f"best correspondence and common triangulation together: no flips on {free} of {int(better.pairs.max())} pairs; "
+        f"medians: {medians}"
+    )
+
+
+@claim(
+    "7",
+    '"Ordering of given set of edge flips ... such that all the edge flips can be completed as early as possible": there '
+    "is an order that is earlier than the paper's",
+    CONDITION,
+    ("experiments/studies/flip_order.py", "tests/experiments/studies/test_flip_order.py"),
+    condition="any flip that removes crossings is made as soon as it is possible; the order of the given ones hardly matters",
+)
+def flips_can_be_early(x: Numbers) -> Finding:
+    table = x.table("flip_order_summary").set_index(["path", "way"])
+    slide, angle = table.loc["slide"], table.loc["angle"]
+    median, pairs = slide["median"], int(slide.pairs.iloc[0])
+    return most(slide.earlier["greedy"], pairs) and not most(slide.earlier["partial"], pairs), (
+        f"how far a morph has to go to the disk, medians of {pairs} pairs along slide: {median['sequential']:.2f} in the "
+        f"paper's sequence, {median['partial']:.2f} where independent flips need not wait, {median['divided']:.2f} divided "
+        f"between both flows, {median['greedy']:.2f} greedy, which is earlier on {int(slide.earlier['greedy'])}; along angle "
+        f"greedy is at a lower bound for every order in {int(angle.flows_at_bound['greedy'])} of {2 * pairs} flows"
+    )
