@@ -96,7 +96,7 @@ def angle_bounds(
         low, high = _between_ends(corner_angles(z))
         _add_peaks(low, high, source, target, stretch, times)
         return low, high
-    bends = slides(source, target, propagates & np.full_like(propagates, path == "slide")).any(axis=1)
+    bends = np.asarray(slides(source, target, propagates & (path == "slide")).any(axis=1))
     lengths = path_lengths(source, target, propagates & bends[:, None])
     low, high = np.empty((len(source), 3, len(times) - 1)), np.empty((len(source), 3, len(times) - 1))
     _from_boxes(z, bends, lengths, np.minimum(source.imag, target.imag), times, low, high)
