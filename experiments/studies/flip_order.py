@@ -56,7 +56,13 @@ from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossi
 from tween.morphing.incompatible.flow import Flow, first_convex
 from tween.triangulating.flips import flip_in_place, half_edge, is_convex, quadrilateral
 
-PARAMETERS: dict[str, Any] = {"seed": 20100, "pairs": 60, "paths": ["slide", "angle"], "earlier": 0.01, "resamples": 2000}
+PARAMETERS: dict[str, Any] = {
+    "seed": 20100,
+    "pairs": 60,
+    "paths": ["slide", "angle"],
+    "earlier": 0.01,
+    "resamples": 2000,
+}
 ROOT = "disk-center"
 STEP = 1 / 512  # as in `Flow`: a shorter spell of convexity may be missed
 SIXTEENTHS = np.arange(1, 17) / 16

@@ -28,7 +28,10 @@ def differences(found: pd.DataFrame, committed: pd.DataFrame) -> list[str]:
     """Every number that differs beyond its rounding, and every row that only one of the two tables has."""
     both = found.merge(committed, on=KEYS, how="outer", suffixes=("", "_committed"), indicator=True)
     alone = both[both._merge != "both"]
-    told = [f"{_name(row)}: only in the {'new' if row._merge == 'left_only' else 'committed'} table" for row in alone.itertuples()]
+    told = [
+        f"{_name(row)}: only in the {'new' if row._merge == 'left_only' else 'committed'} table"
+        for row in alone.itertuples()
+    ]
     both = both[both._merge == "both"]
     for column in NUMBERS:
         new, old = both[column].astype(float), both[f"{column}_committed"].astype(float)

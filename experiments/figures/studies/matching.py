@@ -97,8 +97,8 @@ def _facts(m: Morph) -> str:
     "ours",
     """All 561 pairs of 34 curves by method: median (dot), middle half (thick) and range (thin) of rank and variance
     of the areas, the largest area over that of the larger end, and the mean length of the vertices' paths in widths of
-    the larger end; right, the share of pairs all of whose 61 frames bound an immersed disk.  The three methods of others
-    stand on the paper's correspondence and on the matched one.""",
+    the larger end; right, the share of pairs all of whose 61 frames bound an immersed disk.  The three methods of
+    others stand on the paper's correspondence and on the matched one.""",
 )
 def matching_study() -> Figure:
     table = pd.read_csv(RESULTS / "matching_summary.csv").set_index(["measure", "method"])

@@ -34,10 +34,12 @@ class Shape:
         Its triangles should be Delaunay: chords are walked through them.
     fixed : ndarray of bool, shape (n,)
         Vertices that stay at every level.
+    sharpness : float
+        See `simplify`.
     """
 
-    def __init__(self, T: Triangulation, fixed: NDArray[np.bool_]) -> None:
-        self.triangulation, self.fixed = T, fixed
+    def __init__(self, T: Triangulation, fixed: NDArray[np.bool_], sharpness: float = 0.0) -> None:
+        self.triangulation, self.fixed, self._sharpness = T, fixed, sharpness
         edges = np.roll(T.points, -1, axis=0) - T.points
         lengths = np.hypot(edges[:, 0], edges[:, 1])
         self.arc = (np.cumsum(lengths) - lengths) / lengths.sum()
@@ -47,11 +49,16 @@ class Shape:
     def __len__(self) -> int:
         return len(self.arc)
 
+    def sharper(self, sharpness: float) -> "Shape":
+        """The same disk, simplified in another order."""
+        return self if sharpness == self._sharpness else Shape(self.triangulation, self.fixed, sharpness)
+
     def prepare(self, sizes: list[int]) -> None:
         """Simplify to all these numbers of vertices at once."""
         missing = sorted({size for size in sizes if size not in self._levels}, reverse=True)
         if missing:
-            self._levels.update(zip(missing, simplify(self.triangulation, missing, self.fixed), strict=True))
+            levels = simplify(self.triangulation, missing, self.fixed, self._sharpness)
+            self._levels.update(zip(missing, levels, strict=True))
 
     def level(self, size: int) -> Level:
         """The disk with so many vertices, or with as few as there can be."""

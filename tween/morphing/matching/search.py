@@ -14,7 +14,12 @@ SMALL = 24
 
 _GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
 _LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
-_MOST_DIVISIONS = 4  # of steps between levels in which nothing was found, in one attempt
+_SAME = 1e-9  # relative: starts whose energies differ by less are the same
+_RISE = (
+    1.25  # of the energy from the first level to the last, above which the simplified curves stood ill for the whole
+)
+_MORE = 2  # further attempts that are then made
+_MOST_DIVISIONS = 2  # of steps between levels in which nothing was found, in one attempt
 _LARGE = 400  # vertices from which on only the first attempts are made
 _EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
 _MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
@@ -36,6 +41,8 @@ class Attempt(NamedTuple):
         Local minima of the first level that are tried with more candidates.
     efforts : tuple of Effort
         For each further level, until one can be matched.
+    sharpness : float
+        See `.simplify.simplify`.
     literal : bool
         Whether both curves have exactly so many candidates on every edge.
     """
@@ -45,20 +52,23 @@ class Attempt(NamedTuple):
     stretch: float
     starts: int
     efforts: tuple[Effort, ...]
+    sharpness: float = 0.0
     literal: bool = False
 
 
 _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
-_LIGHT = (Effort(9, 6, 0.3, 1), Effort(14, 8, 0.15, 1), Effort(20, 8, 0.0, 2))
-_HEAVY = (Effort(14, 8, 0.15, 1), Effort(24, 10, 0.0, 2), Effort(32, 12, 0.0, 3))
+_LIGHT = (Effort(7, 3, 0.3, 1, 60), Effort(16, 6, 0.0, 1, 100), Effort(40, 10, 0.0, 2, 200))
+_HEAVY = (Effort(24, 8, 0.0, 1, 200), Effort(40, 12, 0.0, 2, 300), Effort(64, 14, 0.0, 3, 400))
 _NARROW = (Effort(5, 5, 0.3, 0, 60), Effort(6, 5, 0.0, 0, 60), Effort(10, 7, 0.0, 1, 120))
 _ATTEMPTS = (
     Attempt(24, 1, 0.0, 4, _LIGHT),
     Attempt(32, 1, 0.0, 4, _LIGHT),
+    Attempt(24, 1, 0.0, 4, _LIGHT, 0.05),
+    Attempt(32, 1, 0.0, 4, _HEAVY, 0.02),
     Attempt(24, 2, 0.0, 4, _HEAVY),
     Attempt(24, 1, 4.0, 4, _HEAVY),
     Attempt(44, 1, 0.0, 2, _HEAVY),
-    Attempt(32, 2, 4.0, 2, _HEAVY),
+    Attempt(32, 2, 4.0, 2, _HEAVY, 0.1),
 )
 
 
@@ -115,15 +125,39 @@ def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candida
     Found
         The first one that is complete; where none is, the one that came farthest.
     """
-    best = Found((0, 0), None, (), False)
+    best, more = Found((0, 0), None, (), False), _MORE
     for attempt in _attempts(len(sources[0]), len(targets[0]), candidates):
-        for found in _starts(sources, targets, nodes, attempt):
-            refined = _refine(sources[found.disks[0]], targets[found.disks[1]], nodes, attempt, found)
-            if refined.complete:
-                return refined
-            if _reach(refined) > _reach(best):
-                best = refined
+        if best.complete and (more == 0 or best.levels[-1][2] <= _RISE * best.levels[0][2]):
+            break
+        more -= best.complete
+        found = _try(sources, targets, nodes, attempt)
+        if found is not None and _rank(found) > _rank(best):
+            best = found
     return best
+
+
+def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: Attempt) -> Found | None:
+    """The first start that reaches all vertices, or else the one that comes farthest."""
+    S, T = ([shape.sharper(attempt.sharpness) for shape in shapes] for shapes in (sources, targets))
+    best, tried = None, []
+    for start in _starts(S, T, nodes, attempt):
+        if any(abs(start.levels[0][2] - energy) < _SAME * energy for energy in tried):
+            continue  # a symmetry of the shape
+        tried.append(start.levels[0][2])
+        found = _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start)
+        if found.complete:
+            return found
+        if best is None or _rank(found) > _rank(best):
+            best = found
+    return best
+
+
+def _rank(found: Found) -> tuple[bool, int, float]:
+    """Complete before incomplete; of those by energy, of these by the vertices that they reach."""
+    if not found.levels:
+        return False, 0, 0.0
+    reached = 0 if found.complete else sum(found.levels[-1][:2])
+    return found.complete, reached, -found.levels[-1][2]
 
 
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
@@ -137,10 +171,6 @@ def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
         return [Attempt(SMALL, candidates, 0.0, 1, (), True)]
     exact = [Attempt(SMALL, even, 0.0, 1, ()) for even in _EVEN if (even + 1) * most <= _MOST_POSITIONS or even == 1]
     return exact + [Attempt(first, 2, 0.0, 2, _HEAVY) for first in (most // 2, most // 3) if first > 3]
-
-
-def _reach(found: Found) -> int:
-    return sum(found.levels[-1][:2]) if found.levels else 0
 
 
 def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: Attempt) -> list[Found]:

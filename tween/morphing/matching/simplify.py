@@ -48,7 +48,7 @@ class Level(NamedTuple):
     triangles: NDArray[np.int64]
 
 
-def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> list[Level]:
+def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_], sharpness: float = 0.0) -> list[Level]:
     """Leave out vertices, those of smallest triangle first, and return the disk at some sizes on the way.
 
     Parameters
@@ -58,6 +58,9 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> li
         Numbers of vertices, descending.
     fixed : ndarray of bool, shape (n,)
         Vertices that must stay.
+    sharpness : float
+        What a turn by 180 degrees adds to the area of a vertex's triangle, as a share of the disk's area: keeps the
+        small sharp corners around which much of a disk turns.
 
     Returns
     -------
@@ -77,7 +80,7 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> li
     """
     triangles, twin = T.triangles.copy(), T.twin.ravel().copy()
     wanted = np.array(sizes, dtype=np.int64)
-    kept, lists, counts = _simplify(T.points, triangles, twin, fixed, wanted)
+    kept, lists, counts = _simplify(T.points, triangles, twin, fixed, wanted, 2.0 * sharpness * float(T.areas.sum()))
     levels = []
     for vertices, rows, count in zip(kept, lists, counts, strict=True):
         levels.append(Level(np.flatnonzero(vertices), np.cumsum(vertices)[rows[: count - 2]] - 1))
@@ -85,7 +88,7 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_]) -> li
 
 
 @njit(cache=True)
-def _simplify(points, triangles, twin, fixed, sizes):
+def _simplify(points, triangles, twin, fixed, sizes, sharpness):
     n = len(points)
     out = boundary(triangles, twin)
     before, after = (np.arange(n) - 1) % n, (np.arange(n) + 1) % n
@@ -94,7 +97,7 @@ def _simplify(points, triangles, twin, fixed, sizes):
     counts, left = np.zeros(len(sizes), np.int64), n
     importance = np.empty(n)  # infinite where a vertex stays, or cannot go as long as nothing changes around it
     for v in range(n):
-        importance[v] = np.inf if fixed[v] else _importance(points, before[v], v, after[v])
+        importance[v] = np.inf if fixed[v] else _importance(points, before[v], v, after[v], sharpness)
     link, around, past = np.empty(n + 2, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
     for row in range(len(sizes)):
         while left > max(3, sizes[row]):
@@ -112,7 +115,7 @@ def _simplify(points, triangles, twin, fixed, sizes):
             link[size], link[size + 1] = before[a], after[b]
             for x in link[: size + 2]:
                 if not fixed[x]:
-                    importance[x] = _importance(points, before[x], x, after[x])
+                    importance[x] = _importance(points, before[x], x, after[x], sharpness)
         _record(triangles, gone, alive, kept[row], lists[row])
         counts[row] = left
     return kept, lists, counts
@@ -151,12 +154,15 @@ def boundary(triangles, twin):
 
 
 @njit(cache=True)
-def _importance(points, a, v, b):
-    """Twice the area of a, v, b in single precision, so that congruent triangles tie."""
+def _importance(points, a, v, b, sharpness):
+    """Twice the area of a, v, b, and something for the turn at v; in single precision, so that congruent triangles tie."""
     ux, uy = points[v, 0] - points[a, 0], points[v, 1] - points[a, 1]
-    wx, wy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
-    cross, size = abs(ux * wy - uy * wx), wx * wx + wy * wy
-    return np.float64(np.float32(cross)) if cross > 1e-12 * size else 0.0
+    wx, wy = points[b, 0] - points[v, 0], points[b, 1] - points[v, 1]
+    cross, size = ux * wy - uy * wx, (ux + wx) ** 2 + (uy + wy) ** 2
+    if abs(cross) <= 1e-12 * size:
+        return 0.0
+    turned = np.arctan2(cross, ux * wx + uy * wy) / np.pi
+    return np.float64(np.float32(abs(cross) + sharpness * turned * turned))
 
 
 @njit(cache=True)
