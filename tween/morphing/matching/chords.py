@@ -141,7 +141,7 @@ def all_pairs(count: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
 
 @njit(cache=True)
 def find_chords(positions, disk, first, end, forward):
-    """Keep those of the proposed pairs that are chords; where `forward`, only those from a smaller to a larger number."""
+    """Keep the proposed pairs that are chords; where `forward`, only those from a smaller to a larger number."""
     count = len(positions.points)
     rows, size = np.zeros(count + 1, np.int64), 0
     starts, ends, kinds = np.empty(len(end), np.int32), np.empty(len(end), np.int32), np.empty(len(end), np.int8)
@@ -232,7 +232,7 @@ def _sees(positions, disk, p, q):
 
 @njit(cache=True)
 def _sector(disk, h, goal, goal_vertex):
-    """At a vertex, the half-edge opposite in the triangle that a segment enters; -2 where its goal is a corner, -1 if none."""
+    """At a vertex, the half-edge opposite in the triangle that a segment enters; -2 where it ends there, -1 if none."""
     triangles, twin = disk.triangles, disk.twin
     v = disk.points[triangles[h // 3, h % 3]]
     while h >= 0:

@@ -1,5 +1,4 @@
-r"""What a matching is given: shapes, numbered so that the answer does not depend on where a curve starts, and
-landmarks.
+r"""What a matching is given: landmarks, and shapes numbered so that it does not matter where a curve starts.
 
 Every curve is renumbered from its *canonical* vertex: the one from which its edges, with their lengths and turns, come
 first in the dictionary.  That is the same vertex for a similar curve that starts elsewhere.
@@ -160,8 +159,8 @@ def _check_distinct(given: _Ints, column: int, name: str) -> None:
     for pair in given.tolist():
         if pair[column] in seen:
             raise IncompatibleError(
-                f"landmarks {tuple(seen[pair[column]])} and {tuple(pair)} both use vertex {pair[column]} of the {name}; "
-                "each vertex can be matched once"
+                f"landmarks {tuple(seen[pair[column]])} and {tuple(pair)} both use vertex {pair[column]} of the {name};"
+                " each vertex can be matched once"
             )
         seen[pair[column]] = pair
 

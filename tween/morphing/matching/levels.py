@@ -332,9 +332,9 @@ def _correspondence(
     used, place = np.unique(rows[:, :3], return_index=True)
     partner = rows[:, 3:].ravel()[place]
     triangles = np.searchsorted(used, rows[:, :3])
-    arcs, vertices, points = [], [], []
-    for p, level, at in zip(positions, levels, (used, partner), strict=True):
-        arcs.append(p.arc[at])
-        vertices.append(np.where(p.vertex[at] < 0, -1, level.kept[p.vertex[at]]))
-        points.append(p.points[at])
-    return Correspondence(*arcs, *vertices, *points, triangles, cost)
+    p, q = positions
+    v, w = (
+        np.where(place.vertex[at] < 0, -1, level.kept[place.vertex[at]])
+        for place, level, at in zip(positions, levels, (used, partner), strict=True)
+    )
+    return Correspondence(p.arc[used], q.arc[partner], v, w, p.points[used], q.points[partner], triangles, cost)

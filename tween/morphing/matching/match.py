@@ -156,7 +156,7 @@ def _answered(first: Given, second: Given, pairs: NDArray[np.int64], candidates:
     """Search, and put the result into the numbers of the input."""
     given = (first, second)
     shapes = [[Shape(T, _mask(rows, len(g))) for T in g.disks] for g, rows in zip(given, pairs.T, strict=True)]
-    found = search(*shapes, Landmarks(*pairs.T), candidates)
+    found = search(shapes[0], shapes[1], Landmarks(*pairs.T), candidates)
     if len(pairs) and not found.complete:
         _explain_landmarks(given, pairs)
     chosen = [options[disk] for options, disk in zip(shapes, found.disks, strict=True)]
@@ -165,7 +165,7 @@ def _answered(first: Given, second: Given, pairs: NDArray[np.int64], candidates:
     for k, vertices in enumerate((c.source_vertices, c.target_vertices)):
         rows = np.where(vertices < 0, -1, given[k].rows[vertices])
         arc = given[k].arc_from_input(arcs[k], chosen[k].arc)
-        parts.append(_Part(meshes[k], rows, arc, found.disks[k], tuple(level[k] for level in found.levels)))
+        parts.append(_Part(meshes[k], rows, arc, found.disks[k], tuple(int(level[k]) for level in found.levels)))
     energies = tuple(level[2] for level in found.levels)
     least = energy(*meshes) if complete else energies[-1] if energies else np.inf
     return _Answer(tuple(parts), least, complete, energies)
@@ -185,8 +185,8 @@ def _meshes(shapes: list[Shape], found: Found) -> tuple[Correspondence, list[Tri
         meshes = [Triangulation(points, triangles) for points in (c.source_points, c.target_points)]
         if is_valid(*meshes):
             return c, meshes, True
-    c, *meshes = spread(*shapes, c)
-    return c, meshes, False
+    c, source, target = spread(shapes[0], shapes[1], c)
+    return c, [source, target], False
 
 
 def _as_match(answer: _Answer, source: Given) -> Match:
@@ -194,18 +194,28 @@ def _as_match(answer: _Answer, source: Given) -> Match:
     start = int(np.flatnonzero(answer.sides[0].vertices == 0)[0])
     rolled = [part.triangulation.rolled(start) for part in answer.sides]
     meshes = [Triangulation(T.points, canonical(T.triangles)) for T in rolled]
-    vertices = [np.roll(part.vertices, -start) for part in answer.sides]
-    arcs = [np.roll(part.arc, -start) for part in answer.sides]
-    levels = tuple(zip(answer.sides[0].counts, answer.sides[1].counts, answer.energies, strict=True))
-    exact = answer.complete and len(levels) == 1
-    disks = [part.disk for part in answer.sides]
-    return Match(*meshes, answer.energy, exact, answer.complete, *vertices, *arcs, levels, *disks)
+    first, second = answer.sides
+    levels = tuple(zip(first.counts, second.counts, answer.energies, strict=True))
+    return Match(
+        meshes[0],
+        meshes[1],
+        answer.energy,
+        exact=answer.complete and len(levels) == 1,
+        complete=answer.complete,
+        source_vertices=np.roll(first.vertices, -start),
+        target_vertices=np.roll(second.vertices, -start),
+        source_arc=np.roll(first.arc, -start),
+        target_arc=np.roll(second.arc, -start),
+        levels=levels,
+        source_disk=first.disk,
+        target_disk=second.disk,
+    )
 
 
 def _explain_landmarks(given: tuple[Given, Given], pairs: NDArray[np.int64]) -> None:
     """Raise with what would work, where the shapes match without the landmarks; say nothing where they do not."""
     shapes = [[Shape(T, _mask(pairs[:0, 0], len(g))) for T in g.disks] for g in given]
-    free = search(*shapes, Landmarks(*pairs[:0].T), None)
+    free = search(shapes[0], shapes[1], Landmarks(*pairs[:0].T), None)
     if not free.complete or free.correspondence is None:
         return
     c, told = free.correspondence, []

@@ -104,7 +104,6 @@ def _longest_sides(points: NDArray[np.float64], triangles: NDArray[np.int64]) ->
 @njit(cache=True)
 def _near(count, low, size, triangles, twin, across, steps, enough):
     """The partners of each position, in the order in which they are met."""
-    m = len(low)
     out = boundary(triangles, twin)
     first, end, filled = np.zeros(count + 1, np.int64), np.empty(16 * count, np.int32), 0
     gap_start, gap_list = _gaps_of_positions(count, low, size)

@@ -15,9 +15,7 @@ SMALL = 24
 _GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
 _LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
 _SAME = 1e-9  # relative: starts whose energies differ by less are the same
-_RISE = (
-    1.25  # of the energy from the first level to the last, above which the simplified curves stood ill for the whole
-)
+_RISE = 1.25  # of the energy over all levels, above which the simplified curves stood ill for the whole
 _MORE = 2  # further attempts that are then made
 _MOST_DIVISIONS = 2  # of steps between levels in which nothing was found, in one attempt
 _LARGE = 400  # vertices from which on only the first attempts are made
@@ -139,7 +137,8 @@ def search(sources: list[Shape], targets: list[Shape], nodes: Landmarks, candida
 def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: Attempt) -> Found | None:
     """The first start that reaches all vertices, or else the one that comes farthest."""
     S, T = ([shape.sharper(attempt.sharpness) for shape in shapes] for shapes in (sources, targets))
-    best, tried = None, []
+    best: Found | None = None
+    tried: list[float] = []
     for start in _starts(S, T, nodes, attempt):
         if any(abs(start.levels[0][2] - energy) < _SAME * energy for energy in tried):
             continue  # a symmetry of the shape
@@ -188,6 +187,7 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
     again = []
     for found in starts[: attempt.starts]:
         S, T, sizes = sources[found.disks[0]], targets[found.disks[1]], found.levels[0][:2]
+        assert found.correspondence is not None  # the first level has made one
         better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
         if better is not None:
             again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
@@ -200,6 +200,7 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
     S.prepare([n for n, _ in sizes])
     T.prepare([m for _, m in sizes])
     last, levels, ahead, divided = start.correspondence, list(start.levels), sizes[:0:-1], 0
+    assert last is not None  # the first level has made one
     while ahead:
         n, m = ahead.pop()
         finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)

@@ -155,7 +155,7 @@ def boundary(triangles, twin):
 
 @njit(cache=True)
 def _importance(points, a, v, b, sharpness):
-    """Twice the area of a, v, b, and something for the turn at v; in single precision, so that congruent triangles tie."""
+    """Twice the area of a, v, b, and something for the turn at v; in single precision, so that equal triangles tie."""
     ux, uy = points[v, 0] - points[a, 0], points[v, 1] - points[a, 1]
     wx, wy = points[b, 0] - points[v, 0], points[b, 1] - points[v, 1]
     cross, size = ux * wy - uy * wx, (ux + wx) ** 2 + (uy + wy) ** 2

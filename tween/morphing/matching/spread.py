@@ -1,5 +1,4 @@
-r"""Where the last levels cannot be matched: all vertices spread by a coarser correspondence, each curve with its own
-triangles.
+r"""Where the last levels cannot be matched: all vertices by a coarser correspondence, each curve with own triangles.
 
 The nodes of the coarser level are kept; every other vertex gets its image on the other curve as a partner.
 """
@@ -38,11 +37,11 @@ def spread(S: Shape, T: Shape, coarse: Correspondence | None) -> tuple[Correspon
     pairs = _partners(S, T, coarse)
     start = pairs[0, 0]
     order = np.argsort((pairs[:, 0] - start) % 1.0, kind="stable")
-    arcs = pairs[order, 0], pairs[order, 1]
-    vertices = pairs[order, 2].astype(np.int64), pairs[order, 3].astype(np.int64)
-    points = [_places(shape, arc, vertex) for shape, arc, vertex in zip((S, T), arcs, vertices, strict=True)]
-    meshes = [_mesh(shape, p, v) for shape, p, v in zip((S, T), points, vertices, strict=True)]
-    return Correspondence(*arcs, *vertices, *points, meshes[0].triangles, coarse.cost), meshes[0], meshes[1]
+    s, t = pairs[order, 0], pairs[order, 1]
+    v, w = pairs[order, 2].astype(np.int64), pairs[order, 3].astype(np.int64)
+    p, q = _places(S, s, v), _places(T, t, w)
+    source, target = _mesh(S, p, v), _mesh(T, q, w)
+    return Correspondence(s, t, v, w, p, q, source.triangles, coarse.cost), source, target
 
 
 def _by_arc(S: Shape, T: Shape) -> Correspondence:
