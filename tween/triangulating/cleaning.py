@@ -28,14 +28,14 @@ _ENDS, _ENDS_SHARE = 480, 0.125  # samples of an open stroke, and which share of
 _LOSS = 0.5  # of gap that cutting off a unit of length has to save
 _TREMBLE = 0.01  # smoothing, as a share of the size, whose effect is taken for the tremor
 _STEADY = 0.0005  # tremor, as a share of the size, below which none is seen
-_TIMES = 2.0  # tremors that a smoothing has to exceed: about so much is needed to tell tremor from shape
+_TIMES = 2.5  # tremors that a smoothing has to exceed: about so much is needed to tell tremor from shape
 _MOST = 0.05  # smoothing allowed without being asked, as a share of the size
 _TUBE = 0.6  # of the smoothing for the tube; the rest is for vertices, which cut corners
 _NEAR, _REACH = 0.5, 0.75  # of the smoothing for the ends of a piece that is dropped, and for what it may reach
 _ROUNDS = 8  # of smoothing and dropping
 _PER_RADIUS = 4  # samples of a radius' length among which pieces are sought
 _TINY = np.finfo(np.float64).tiny
-_FEWEST_VERTICES, _MOST_VERTICES = 60, 1000
+_FEWEST_VERTICES, _ENOUGH_VERTICES, _MOST_VERTICES = 60, 500, 1000
 _LONGEST_EDGE = 1.5  # smoothings, where the number of vertices is not given
 
 _Floats = NDArray[np.float64]
@@ -74,17 +74,17 @@ def clean(
         How near to each other the ends have to come for what was drawn before or beyond to be cut off.  Without it,
         1/20 of the size.
     vertices : int, optional
-        Number of vertices, at least 3.  Without it, as many as the smoothing needs, 60 to 1,000, or those of the stroke
-        where it is not smoothed.
+        Number of vertices, at least 3.  Without it, as many as the smoothing needs, from 60 to 500 and seldom more; or
+        those of the stroke where it is not smoothed.
 
     Returns
     -------
     CleanedCurve
         A `.Curve`; its `changes` tell what was done.  Repeated points, spikes, loops smaller than the smoothing and
         what is drawn twice are dropped.  Of 1/16, 1/8, 1/4, 1/2 and all of `smooth` the least is taken that gives a
-        curve which bounds a disk; parts that are not twice the tremor of the stroke (see `.Changes`) are left out.
-        Where `smooth` is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.
-        Where none gives a disk, the curve is that of the largest, and ``changes.reason`` says why.
+        curve which bounds a disk, of those above 2.5 times the tremor of the stroke, see `.Changes`.  Where `smooth`
+        is not given and the tremor is below 1/2000 of the size, no smoothing at all is tried first.  Where none gives
+        a disk, the curve is that of the largest, and ``changes.reason`` says why.
 
     Raises
     ------
@@ -177,7 +177,7 @@ def _cleaned(request: _Request, s: float) -> CleanedCurve:
     path, pieces = _closed(request, s)
     if s:
         x, path, more = _settled(path, s)
-        found = _resampled(x, path, s, request.vertices)
+        found = _resampled(x, path, s, request)
     else:
         path, found, more = _as_it_is(path, request.vertices)
     curve, moved = _curve(found, request.p), _moved(path, found)
@@ -261,12 +261,13 @@ def _settled(path: Path, s: float) -> tuple[Path, Path, list[Piece]]:
     return x, path, dropped
 
 
-def _resampled(x: Path, path: Path, s: float, vertices: int | None) -> Path:
-    """Take evenly spaced points: as many as asked, or as keep the path within the smoothing."""
+def _resampled(x: Path, path: Path, s: float, request: _Request) -> Path:
+    """Take evenly spaced points: as many as asked, or as keep the path within the smoothing, or the one allowed."""
+    vertices = request.vertices
     needed = math.ceil(x.length / (_LONGEST_EDGE * s))
-    n = vertices or min(max(needed, _FEWEST_VERTICES), _MOST_VERTICES)
+    n = vertices or min(max(needed, _FEWEST_VERTICES), _ENOUGH_VERTICES)
     found = x.evenly(n)
-    while not vertices and n < _MOST_VERTICES and _moved(path, found) > s:
+    while not vertices and n < _MOST_VERTICES and _moved(path, found) > (s if n < _ENOUGH_VERTICES else request.asked):
         n = min(n + n // 4, _MOST_VERTICES)
         found = x.evenly(n)
     return found
