@@ -89,7 +89,12 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
         return kind, T, stretched(rng, stretched(rng, T)), {}
     m = int(rng.integers(5, 24)) if kind == "counts" else n
     offset = rng.normal(size=2) * (1e6 if kind == "far" else 0.0)
-    return kind, T.points + offset, one_end(rng, m).points + offset, {"strategy": str(rng.choice(["auto", "paper"]))}
+    return (
+        kind,
+        T.points + offset,
+        one_end(rng, m).points + offset,
+        {"strategy": str(rng.choice(["auto", "common", "paper"], p=[0.05, 0.25, 0.7]))},
+    )
 
 
 def moments(m: tween.Morph, rng: np.random.Generator) -> NDArray[np.float64]:

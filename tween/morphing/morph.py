@@ -253,9 +253,7 @@ class Morph:
         """Say what is in doubt in this morph's times and vertices."""
         start, stop = (1.0 - doubt.stop, 1.0 - doubt.start) if self._backwards else (doubt.start, doubt.stop)
         own = tuple((v + self._shift) % len(self.source) for v in doubt.vertices)
-        when = f"no guarantee between t = {start:.6g} and {stop:.6g}"
-        if doubt.start == 0.0 or doubt.stop == 1.0:
-            when = f"no guarantee within {doubt.stop - doubt.start:.1g} of t = {round(start)}"
+        when = f"no guarantee from t = {_moment(start)} to {_moment(stop)}"
         left, needed = max(doubt.left, 0.0), doubt.needed
         if doubt.rule == "vertex":
             return f"{when}: vertex {own[0]} has {left:.1g} left below 2 pi, of which rounding may need {needed:.1g}"
@@ -337,6 +335,11 @@ class Morph:
 
     def __repr__(self) -> str:
         return f"Morph({len(self.source)} vertices, {len(self.events)} flips)"
+
+
+def _moment(t: float) -> str:
+    """Write a time so that one very close to 1 can be told from 1."""
+    return f"{t:.6g}" if t in (0.0, 1.0) or t < 0.999 else f"1 - {1.0 - t:.4g}"
 
 
 @njit(cache=True)
