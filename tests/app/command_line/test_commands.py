@@ -83,7 +83,7 @@ def test_one_of_several_curves_is_selected(run: Run) -> None:
     assert "'ell', 'arrow'" in err
     for name in curves:
         assert json.loads(run(f"info two.json --select {name} --json")[1])["vertices"] == len(curves[name])
-    line = "morph two.json two.json --select-source ell --select-target arrow -o m.npz --frames 2"
+    line = "morph two.json two.json --select-source ell --select-target arrow -o m.npz --frames 2 --strategy common"
     assert run(line)[0] == 0
     assert len(io.read_frames("m.npz")[0][0]) == len(curves["ell"])
 
