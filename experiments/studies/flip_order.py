@@ -56,7 +56,13 @@ from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossi
 from tween.morphing.incompatible.flow import Flow, first_convex
 from tween.triangulating.flips import flip_in_place, half_edge, is_convex, quadrilateral
 
-PARAMETERS: dict[str, Any] = {"seed": 20100, "pairs": 60, "paths": ["slide", "angle"], "earlier": 0.01, "resamples": 2000}
+PARAMETERS: dict[str, Any] = {
+    "seed": 20100,
+    "pairs": 60,
+    "paths": ["slide", "angle"],
+    "earlier": 0.01,
+    "resamples": 2000,
+}
 ROOT = "disk-center"
 STEP = 1 / 512  # as in `Flow`: a shorter spell of convexity may be missed
 SIXTEENTHS = np.arange(1, 17) / 16
@@ -79,7 +85,7 @@ def interior_angles(T: Triangulation, points: NDArray[np.float64]) -> NDArray[np
     """The sum of the angles of the triangles at each vertex, with other points."""
     z = (points @ np.array([1, 1j]))[T.triangles]
     angles = np.angle((np.roll(z, 1, axis=1) - z) / (np.roll(z, -1, axis=1) - z))
-    return np.bincount(T.triangles.ravel(), weights=angles.ravel(), minlength=len(T))
+    return np.asarray(np.bincount(T.triangles.ravel(), weights=angles.ravel(), minlength=len(T)), np.float64)
 
 
 def lower_bound(T: Triangulation, other: Triangulation) -> float:
@@ -240,7 +246,7 @@ def summary(rows: pd.DataFrame) -> pd.DataFrame:
 def median_interval(values: NDArray[np.float64], name: str) -> tuple[float, float]:
     """The 95 % bootstrap interval of a median."""
     rng = rng_for(PARAMETERS["seed"], f"flip order, {name}")
-    medians = np.median(rng.choice(values, (PARAMETERS["resamples"], len(values))), axis=1)
+    medians = np.median(rng.choice(values, (RESAMPLES, len(values))), axis=1)
     low, high = np.quantile(medians, [0.025, 0.975])
     return float(low), float(high)
 

@@ -119,9 +119,7 @@ def disks(m: Morph, frames: NDArray[np.float64]) -> int:
     triangles = np.array([m.triangles_at(t) for t in times])
     if verify(frames, triangles, times):
         return len(frames)
-    return sum(
-        bool(verify(shape, shown)) or bounds_disk(shape) for shape, shown in zip(frames, triangles, strict=True)
-    )
+    return sum(bool(verify(shape, shown)) or bounds_disk(shape) for shape, shown in zip(frames, triangles, strict=True))
 
 
 def bounds_disk(points: NDArray[np.float64]) -> bool:
