@@ -231,7 +231,7 @@ def better_alignment(x: Numbers) -> Finding:
     "there is an order that is earlier than the paper's",
     CONDITION,
     ("experiments/studies/flip_order.py", "tests/experiments/studies/test_flip_order.py"),
-    condition="if any flip that removes crossings is made as soon as possible; the order of the given ones hardly matters",
+    condition="if any flip that removes crossings is made as soon as possible; an order of the given ones hardly helps",
 )
 def flips_can_be_early(x: Numbers) -> Finding:
     table = x.table("flip_order_summary").set_index(["path", "way"])
@@ -241,7 +241,7 @@ def flips_can_be_early(x: Numbers) -> Finding:
         f"how far a morph has to go to the disk, medians of {pairs} pairs along slide: {median['sequential']:.2f} in "
         f"the paper's sequence, {median['partial']:.2f} where independent flips need not wait, {median['divided']:.2f} "
         f"divided between both flows, {median['greedy']:.2f} greedy, earlier on {int(slide.earlier['greedy'])}; along "
-        f"angle greedy is at a lower bound for every order in {int(angle.flows_at_bound['greedy'])} of {2 * pairs} flows"
+        f"angle greedy is at a lower bound of all orders in {int(angle.flows_at_bound['greedy'])} of {2 * pairs} flows"
     )
 
 

@@ -246,7 +246,7 @@ def summary(rows: pd.DataFrame) -> pd.DataFrame:
 def median_interval(values: NDArray[np.float64], name: str) -> tuple[float, float]:
     """The 95 % bootstrap interval of a median."""
     rng = rng_for(PARAMETERS["seed"], f"flip order, {name}")
-    medians = np.median(rng.choice(values, (RESAMPLES, len(values))), axis=1)
+    medians = np.median(rng.choice(values, (PARAMETERS["resamples"], len(values))), axis=1)
     low, high = np.quantile(medians, [0.025, 0.975])
     return float(low), float(high)
 
