@@ -2,6 +2,8 @@
 
 import subprocess
 import sys
+from collections.abc import Callable
+from typing import Any
 
 import pytest
 
@@ -14,22 +16,31 @@ OPTIONS = {
     "path": choices.PATHS,
     "root": choices.ROOT_RULES,
     "strategy": choices.STRATEGIES,
+    "placement": choices.PLACEMENTS,
+}
+OF_THE_PAPER = {
+    "path": choices.PATHS,
+    "root": choices.ROOT_RULES,
     "order": choices.ORDERS,
     "shifts": choices.SHIFT_RULES,
 }
+CALLS = [(tween.morph, o, words) for o, words in OPTIONS.items()]
+CALLS += [(tween.paper_morph, o, words) for o, words in OF_THE_PAPER.items()]
 
 
-@pytest.mark.parametrize(("option", "word"), [(o, w) for o, words in OPTIONS.items() for w in words])
-def test_a_morph_takes_every_word(option: str, word: str) -> None:
-    m = tween.morph(SQUARE, [(0, 0), (1, 0), (1, 4), (0, 4)], **{option: word})
+@pytest.mark.parametrize(("call", "option", "word"), [(call, o, w) for call, o, words in CALLS for w in words])
+def test_a_morph_takes_every_word(call: Callable[..., Any], option: str, word: str) -> None:
+    m = call(SQUARE, [(0, 0), (1, 0), (1, 4), (0, 4)], **{option: word})
     assert m(0.0).tolist() == m.source.points.tolist()
 
 
-@pytest.mark.parametrize("option", OPTIONS)
-def test_a_morph_refuses_another_word_and_lists_those_it_takes(option: str) -> None:
+@pytest.mark.parametrize(("call", "option", "words"), CALLS)
+def test_a_morph_refuses_another_word_and_lists_those_it_takes(
+    call: Callable[..., Any], option: str, words: tuple[str, ...]
+) -> None:
     with pytest.raises(ValueError, match=option) as caught:
-        tween.morph(SQUARE, SQUARE, **{option: "spline"})
-    assert [word for word in OPTIONS[option] if word not in str(caught.value)] == []
+        call(SQUARE, SQUARE, **{option: "spline"})
+    assert [word for word in words if word not in str(caught.value)] == []
 
 
 def test_a_film_takes_every_style_and_both_of_the_extreme_sizes_and_no_more() -> None:

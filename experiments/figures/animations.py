@@ -1,7 +1,8 @@
 """Figure 11 in motion: each pair of the gallery there and back, as a GIF in results/animations/.
 
-Every shape is as large as the others, as in the figure.  The flips come so close together that evenly spaced
-times would show two or three shapes while they happen; so a third of the shapes are spent on them, in slow morph.
+Every shape is as large as the others, as in the figure, and the scale is written beside the time.  The flips come so
+close together that evenly spaced times would show two or three shapes while they happen; so a third of the shapes are
+spent on them, in slow morph.
 """
 
 import argparse
@@ -16,7 +17,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from PIL import Image
 
-from experiments.figures.rows import bottom, draw_layers, fit, places
+from experiments.figures.rows import bottom, draw_layers, fit, places, reach, scale_label
 from experiments.store import RESULTS, compute, replacing
 from tween import Morph, Triangulation, gallery, paper_morph
 from tween import plot as draw
@@ -60,7 +61,7 @@ def pictures(m: Morph) -> Iterator[Image.Image]:
             ax.scatter(points[pivot, 0], points[pivot, 1], s=26, color=draw.PIVOT, linewidths=0, zorder=5)
         fit(ax, points)
         done = 0 if t == 0 else int((flips <= t).sum())
-        ax.text(0.02, -0.03, f"t = {t:.3f}", **text)
+        ax.text(0.02, -0.03, f"t = {t:.3f}" + scale_label(reach(m.source.points) / reach(points)), **text)
         ax.text(0.98, -0.03, f"{done} of {len(flips)} flips" if len(flips) else "no flips", ha="right", **text)
         canvas.draw()
         yield Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])

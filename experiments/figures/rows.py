@@ -63,31 +63,46 @@ def moments(m: Morph) -> NDArray[np.float64]:
     return np.concatenate([[0, times[-1] / 2], np.linspace(times[-1], 1, SHAPES - 2)])
 
 
-def draw_row(axes: Sequence[Axes], m: Morph, dots: Sequence[int] = (0, SHAPES - 1), mark: int | None = None) -> None:
-    """Draw shapes of a morph, each as large as the others, with their times; dot the pivot in some of them."""
+def draw_row(
+    axes: Sequence[Axes],
+    m: Morph,
+    dots: Sequence[int] = (0, SHAPES - 1),
+    mark: int | None = None,
+    sizes: Sequence[float] = (1.0,) * SHAPES,
+) -> None:
+    """Draw shapes of a morph, each as large as its axes allow, with their times and scales; dot the pivot in some.
+
+    A scale says how many times as large as the source, which is drawn in axes of the first size, a shape is drawn.
+    """
     times, place = moments(m), places(m.source)
     mark = m.alignment.pivot if mark is None else mark
+    scales = [size / reach(points) for size, points in zip(sizes, m.at(times), strict=True)]
     for number, (ax, t, points) in enumerate(zip(axes, times, m.at(times), strict=True)):
         draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, bottom(m))
         if mark is not None and number in dots:
             ax.scatter(points[mark, 0], points[mark, 1], s=16, color=draw.PIVOT, linewidths=0, zorder=5)
         fit(ax, points)
-        ax.text(0.5, -0.02, time_label(t), transform=ax.transAxes, ha="center", va="top", fontsize=7)
+        label = time_label(t) + scale_label(scales[number] / scales[0])
+        ax.text(0.5, -0.02, label, transform=ax.transAxes, ha="center", va="top", fontsize=7)
 
 
 def strip(m: Morph) -> Figure:
     """One morph for itself, source and target larger than the shapes between."""
     figure, axes = plt.subplots(1, SHAPES, figsize=(WIDTH + 1, 1.7), width_ratios=[1.5, *[1] * (SHAPES - 2), 1.5])
-    draw_row(axes, m)
+    draw_row(axes, m, sizes=[1.5, *[1] * (SHAPES - 2), 1.5])
     for ax in axes:
         ax.set_anchor("S")  # so that the times stand on one line
     return figure
 
 
+def reach(points: NDArray[np.float64]) -> float:
+    """The side of the smallest upright square about points."""
+    return float(np.ptp(points, axis=0).max())
+
+
 def fit(ax: Axes, points: NDArray[np.float64]) -> None:
     """Show a square about the points, without axes."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    (x, y), half = (low + high) / 2, 0.54 * (high - low).max()
+    (x, y), half = (points.min(axis=0) + points.max(axis=0)) / 2, 0.54 * reach(points)
     ax.set(xlim=(x - half, x + half), ylim=(y - half, y + half), aspect="equal")
     ax.set_axis_off()
 
@@ -96,6 +111,11 @@ def bands(figure: Figure, heights: Sequence[float]) -> list[SubFigure]:
     """Divide a figure into bands, one below the other."""
     grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
     return [figure.add_subfigure(grid[row, 0]) for row in range(len(heights))]
+
+
+def scale_label(scale: float) -> str:
+    """A scale to two digits; nothing where it is that of the source, or nearly."""
+    return "" if abs(scale - 1) < 0.05 else f"  × {scale:.2g}"
 
 
 def time_label(t: float) -> str:

@@ -51,7 +51,7 @@ def two_disks(n: int, seed: int) -> tuple[Triangulation, Triangulation]:
 
 
 def gallery_pair(name: str) -> tuple[Triangulation, Triangulation]:
-    m = morph(*pair(name))
+    m = morph(*pair(name), strategy="common")
     return m.source, m.target
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from malformed import MALFORMED, SQUARE, npy, npz, svg
 from strategies import exact_doubles
 
-from tween import gallery
+from tween import gallery, paper_morph
 from tween.errors import CurveError, FileError
 from tween.geometry.curve import Curve
 from tween.io.read_write import (
@@ -94,7 +94,7 @@ def to_disk():
 
 
 def flipping():
-    m = morph(*(remesh(triangulate(gallery.curve(name))) for name in ("ell", "two_loops")))
+    m = paper_morph(*(remesh(triangulate(gallery.curve(name))) for name in ("ell", "two_loops")))
     assert m.events
     return m
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tween import Morph, TweenError, morph
+from tween import Morph, TweenError, paper_morph
 from tween.errors import FileError
 from tween.gallery import pair
 from tween.plot import animation
@@ -23,7 +23,7 @@ SMALL: dict[str, Any] = {"frames": 6, "size": 64}
 
 @pytest.fixture(scope="module")
 def m() -> Morph:
-    return morph(*pair("comb_to_winding"), strategy="paper")
+    return paper_morph(*pair("comb_to_winding"))
 
 
 def frames_of(path: Path) -> tuple[list[np.ndarray], list[float]]:

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from tween import Morph, area_matrix, area_rank, gallery, morph, triangulate
+from tween import Morph, area_matrix, area_rank, gallery, paper_morph, triangulate
 from tween.colors import FAILURE, INK
 from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
 
@@ -22,7 +22,7 @@ def ax() -> Axes:
 
 def to_disk(name: str, **options) -> Morph:
     T = triangulate(gallery.curve(name))
-    return morph(T, T.on_disk(), **options)
+    return paper_morph(T, T.on_disk(), **options)
 
 
 def labels(ax: Axes) -> list[str]:
@@ -110,7 +110,7 @@ def test_the_singular_values_come_with_the_ranks(ax: Axes) -> None:
 
 
 def test_the_largest_sum_is_named_and_red_where_it_is_too_large(ax: Axes) -> None:
-    draw_angle_sums(morph(*gallery.fan(), path="linear"), ax)
+    draw_angle_sums(paper_morph(*gallery.fan(), path="linear"), ax)
     (text,) = ax.texts
     assert text.get_text().startswith("vertex 0: 2.") and text.get_color() == FAILURE
     safe = draw_angle_sums(to_disk("ess"), Figure().add_subplot())
@@ -118,7 +118,7 @@ def test_the_largest_sum_is_named_and_red_where_it_is_too_large(ax: Axes) -> Non
 
 
 def test_red_shows_only_beyond_the_line_of_two_pi(ax: Axes) -> None:
-    draw_angle_sums(morph(*gallery.fan(), path="linear"), ax)
+    draw_angle_sums(paper_morph(*gallery.fan(), path="linear"), ax)
     canvas = FigureCanvasAgg(ax.figure)
     canvas.draw()
     drawn = np.asarray(canvas.buffer_rgba())[..., :3].astype(int)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tween import Morph, morph
+from tween import Morph, paper_morph
 from tween.choices import STYLES
 from tween.gallery import pair
 from tween.plot.film import record
@@ -29,7 +29,7 @@ TIMER = "<script>window.requestAnimationFrame = (f) => setTimeout(() => f(perfor
 
 @pytest.fixture(scope="module")
 def m() -> Morph:
-    return morph(*pair("comb_to_winding"), strategy="paper")
+    return paper_morph(*pair("comb_to_winding"))
 
 
 @pytest.fixture

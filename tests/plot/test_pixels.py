@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tween import Morph, morph, triangulate
+from tween import Morph, morph, paper_morph, triangulate
 from tween.gallery import curve, pair
 from tween.plot import pixels
 from tween.plot.film import OPACITY, Film, record
@@ -63,7 +63,7 @@ def test_the_corners_of_the_canvas_keep_the_background_and_the_outline_is_there(
 
 
 def test_flips_on_the_way_are_drawn() -> None:
-    m: Morph = morph(*pair("comb_to_winding"), strategy="paper")
+    m: Morph = paper_morph(*pair("comb_to_winding"))
     shown = record(m, frames=8, size=100)
     kept = replace(shown, triangles=np.broadcast_to(shown.triangles[0], shown.triangles.shape))
     assert picture(shown, 0).tobytes() == picture(kept, 0).tobytes()

@@ -28,7 +28,7 @@ from scipy.interpolate import CubicSpline
 
 from tween.morphing.morph import Motion
 
-_STEPS, _FEWEST_STEPS = 256, 32  # by which the rotation is integrated, in each stretch without flips
+_STEPS, _FEWEST_STEPS = 512, 32  # by which the rotation is integrated, in each stretch without flips
 _AT_ONCE = 2**21  # vertices times shapes that are looked at for it
 
 
@@ -44,7 +44,7 @@ class Steady:
 
     Notes
     -----
-    The first call looks at up to 257 shapes; then O(n) a shape.
+    The first call looks at up to 513 shapes; then O(n) a shape.
     """
 
     def __init__(self, motion: Motion, keeps_size: bool) -> None:

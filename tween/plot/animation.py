@@ -47,9 +47,8 @@ def save_animation(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
 ) -> Path:
-    """Save a morph as an animation that goes round endlessly.
+    """Save a morph as an animation that goes round endlessly, all shapes at one scale.
 
     Parameters
     ----------
@@ -71,8 +70,6 @@ def save_animation(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others.
 
     Returns
     -------
@@ -93,15 +90,16 @@ def save_animation(
 
     Examples
     --------
-    >>> from tween import gallery, morph
-    >>> m = morph(*gallery.pair("spiral_to_ess"))
+    >>> from tween import gallery, morph, triangulate
+    >>> T = triangulate(gallery.curve("ess"))
+    >>> m = morph(T, T.on_disk())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = save_animation(Path(folder) / "ess.gif", m, frames=5, size=90)
     ...     with Image.open(file) as image:
     ...         print(file.name, image.n_frames)
     ess.gif 9
     """
-    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, one_scale)
+    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background)
     check_format(path, fps)
     return whole_files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
 

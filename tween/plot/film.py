@@ -108,9 +108,8 @@ def record(
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
-    one_scale: bool = True,
 ) -> Film:
-    """Lay out a morph on a canvas.
+    """Lay out a morph on a canvas, all shapes at one scale.
 
     Parameters
     ----------
@@ -130,8 +129,6 @@ def record(
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others, and in the middle.
 
     Returns
     -------
@@ -153,7 +150,7 @@ def record(
     _check_options(m, frames, fps, size, style, hold, background)
     s = np.linspace(0.0, 1.0, frames)
     times = s * s * (3 - 2 * s) if ease else s
-    shapes, width, height = _on_canvas(m.at(times) if one_scale else _alike(m.at(times)), size)
+    shapes, width, height = _on_canvas(m.at(times), size)
     flips = np.searchsorted([event.time for event in m.events], times, side="right")
     dark = float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
     tints = (1 - times[:, None]) * _bytes(SOURCE) + times[:, None] * _bytes(TARGET)
@@ -217,12 +214,6 @@ def _bytes(color: str) -> NDArray[np.float64]:
 def _color(color: str) -> Color:
     red, green, blue = np.rint(_bytes(color)).astype(int).tolist()
     return red, green, blue
-
-
-def _alike(shapes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The shapes made equally large, and their middles put in one place."""
-    low, high = shapes.min(axis=1, keepdims=True), shapes.max(axis=1, keepdims=True)
-    return (shapes - 0.5 * (low + high)) / (high - low).max(axis=2, keepdims=True)
 
 
 def _on_canvas(shapes: NDArray[np.float64], size: int | tuple[int, int]) -> tuple[NDArray[np.float64], int, int]:

@@ -248,10 +248,9 @@ def draw_filmstrip(
     times: Sequence[float] | NDArray[np.float64],
     ax: Axes | None = None,
     labels: bool = True,
-    one_scale: bool = True,
     mark: int | None = None,
 ) -> Axes:
-    """Draw shapes of a morph side by side, triangles coloured by identity.
+    """Draw shapes of a morph side by side, at one scale, triangles coloured by identity.
 
     Parameters
     ----------
@@ -260,8 +259,6 @@ def draw_filmstrip(
     ax : Axes, optional
     labels : bool
         Whether to write the time below each shape.
-    one_scale : bool
-        Whether all shapes have one scale; otherwise each is as large as the others.
     mark : int, optional
         A vertex to mark in the first and the last shape, such as the pivot.
 
@@ -277,8 +274,6 @@ def draw_filmstrip(
     """
     ax = _axes(ax)
     shapes = m.at(times)
-    if not one_scale:
-        shapes = shapes / np.ptp(shapes, axis=1).max(axis=1)[:, None, None]
     low, high = shapes.min(axis=1), shapes.max(axis=1)
     widths, heights = (high - low).T
     gap = 0.12 * widths.max()

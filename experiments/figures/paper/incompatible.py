@@ -47,7 +47,7 @@ def flow(name: str, end: int) -> Flow:
     alignment = align(*gallery.pair(name))
     shapes = (alignment.source, alignment.target)
     mine, other = shapes[end], shapes[1 - end]
-    return Flow(mine, flip_sequence(mine, other), "slide", "disk-center", "partial")
+    return Flow(mine, flip_sequence(mine, other), "slide", "disk-center", "sequential")
 
 
 def flip_times(name: str, end: int) -> NDArray[np.float64]:
@@ -129,9 +129,10 @@ def figure_10() -> Figure:
     figure = plt.figure(figsize=(WIDTH, 7.8))
     parts = bands(figure, [1.75, 1.75, 2.2, 2.0])
     u, v = (flow(PAIR, end).end for end in (0, 1))
-    assert u < v, "the morph goes by way of the target's flow, which the title denies"
-    draw_flow(parts[0], 0, f"u = {u:.3f} < v, where the morph turns to the horseshoe")
-    draw_flow(parts[1], 1, f"v = {v:.3f}")
+    first = int(v <= u)  # the flow that is done first: the morph goes by way of its end
+    for end, time in enumerate((u, v)):
+        turns = ", where the morph turns to the other shape" if end == first else ""
+        draw_flow(parts[end], end, f"{'uv'[end]} = {time:.3f}{turns}")
     draw_cascade(parts[2])
     draw_timeline(parts[3])
     return figure

@@ -83,7 +83,7 @@ def test_one_of_several_curves_is_selected(run: Run) -> None:
     assert "'ell', 'arrow'" in err
     for name in curves:
         assert json.loads(run(f"info two.json --select {name} --json")[1])["vertices"] == len(curves[name])
-    line = "morph two.json two.json --select-source ell --select-target arrow -o m.npz --frames 2"
+    line = "morph two.json two.json --select-source ell --select-target arrow -o m.npz --frames 2 --strategy common"
     assert run(line)[0] == 0
     assert len(io.read_frames("m.npz")[0][0]) == len(curves["ell"])
 
@@ -118,17 +118,18 @@ def test_triangulate_writes_the_triangulation_asked_for(options: str, expected: 
     ("line", "options"),
     [
         ("", {"path": "metric", "guarantee": True}),
-        ("--path slide --no-guarantee", {}),
+        ("--path slide --no-guarantee --strategy paper", {"path": "slide", "guarantee": False, "strategy": "paper"}),
         ("--path area --root tree-center", {"path": "area", "root": "tree-center", "guarantee": True}),
         ("--root 3 --strategy paper", {"path": "metric", "root": 3, "strategy": "paper", "guarantee": True}),
-        ("--shifts 5 --strategy paper", {"path": "metric", "shifts": 5, "strategy": "paper", "guarantee": True}),
+        ("--strategy common --placement root", {"strategy": "common", "placement": "root"}),
+        ("--landmark 0:0", {"landmarks": [(0, 0)]}),
     ],
 )
 def test_morph_writes_the_morph_of_the_library(line: str, options: Any, run: Run) -> None:
     status, out, err = run(f"morph gallery:arrow gallery:ell -o m.npz --frames 7 {line}")
     assert (status, err) == (0, "")
     m = tween.morph(gallery.curve("arrow"), gallery.curve("ell"), **options)
-    assert f"wrote m.npz: 7 frames of 47 vertices, {len(m.events) or 'no'} flips" in out
+    assert f"wrote m.npz: 7 frames of {len(m.source)} vertices, {len(m.events) or 'no'} flips" in out
     assert np.array_equal(io.read_frames("m.npz")[0], m.frames(7))
 
 

@@ -65,7 +65,7 @@ FAULTS = [
     ("morph gallery:ell disk -o kept.gif --style none", "outline"),
     ("morph gallery:ell disk -o kept.gif --root none", "disk-center, tree-center or a whole number"),
     ("morph gallery:ell disk -o kept.gif --root 45", "from 0 to 44"),
-    ("morph gallery:ell disk -o kept.gif --shifts none", "pivots, all or a whole number"),
+    ("morph gallery:ell disk -o kept.gif --landmark 3", "such as 12:40"),
     ("morph gallery:ell disk -o kept.gif --frames 1", "from 2 on"),
     ("morph gallery:ell disk -o kept.gif --frames ²", "from 2 on"),
     ("morph gallery:ell disk -o kept.gif --fps 101", "from 1 to 100"),
@@ -182,7 +182,7 @@ def test_a_bug_is_not_hidden(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
 
 WORDS = st.sampled_from(
     "info triangulate morph certify gallery gallery:ell letter:S disk pair:e_to_l/source square.csv junk.svg m.npz -o "
-    "out.npz out.svg --json --select 0 --random --arbitrary --path slide area --root --strategy paper --shifts all "
+    "out.npz out.svg --json --select 0 --random --arbitrary --path slide area --root --strategy paper --landmark 0:1 "
     "--frames 2 --size 16 --once --certify --help -1 -- ''".split()
 )
 

@@ -13,7 +13,7 @@ from terminal import Run, parsers
 
 from tween.app.command_line import commands
 from tween.app.command_line.options import Misuse, build_parser
-from tween.choices import PATHS, ROOT_RULES, SHIFT_RULES, SIZES, STRATEGIES, STYLES
+from tween.choices import PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 
 def examples(parser: argparse.ArgumentParser) -> list[str]:
@@ -42,7 +42,7 @@ def test_help_says_what_a_command_is_for_and_fits_the_page(name: str, run: Run, 
 
 @pytest.mark.parametrize(
     ("option", "words"),
-    [("path", PATHS), ("strategy", STRATEGIES), ("style", STYLES), ("root", ROOT_RULES), ("shifts", SHIFT_RULES)],
+    [("path", PATHS), ("strategy", STRATEGIES), ("style", STYLES), ("root", ROOT_RULES), ("placement", PLACEMENTS)],
 )
 def test_every_choice_of_the_library_is_a_choice_of_the_command(option: str, words: tuple[str, ...]) -> None:
     for word in words:
@@ -88,8 +88,7 @@ def test_every_suffix_that_the_help_names_is_read(run: Run) -> None:
         ("--size 640x480", "size", (640, 480)),
         ("--root 3", "root", 3),
         ("--root tree-center", "root", "tree-center"),
-        ("--shifts all", "shifts", "all"),
-        ("--shifts 0", "shifts", 0),
+        ("--landmark 12:40 --landmark 0:7", "landmarks", [(12, 40), (0, 7)]),
         ("--frames 2", "frames", 2),
         ("--tolerance 1e-3", "tolerance", 1e-3),
     ],
@@ -102,7 +101,7 @@ def test_words_become_values(words: str, name: str, value: Any) -> None:
 
 @given(
     st.text(max_size=8).filter(lambda text: not text.startswith("-")),
-    st.sampled_from(["--frames", "--fps", "--size", "--root", "--tolerance"]),
+    st.sampled_from(["--frames", "--fps", "--size", "--root", "--tolerance", "--landmark"]),
 )
 def test_any_text_is_a_value_within_its_limits_or_misuse(text: str, option: str) -> None:
     try:

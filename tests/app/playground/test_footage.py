@@ -5,14 +5,14 @@ import re
 
 import numpy as np
 
-from tween import gallery, morph
+from tween import gallery, morph, paper_morph, triangulate
 from tween.app.playground.footage import FRAMES, footage
 from tween.app.playground.hand_drawn import BOX
 from tween.measuring.metrics import angle_sums
 
 
 def test_the_largest_sum_of_angles_is_shown_with_its_vertex() -> None:
-    m = morph(gallery.curve("three_lobes"), gallery.curve("spiral_2"), strategy="paper")
+    m = paper_morph(gallery.curve("three_lobes"), gallery.curve("spiral_2"))
     sums = angle_sums(m, np.linspace(0, 1, FRAMES))
     seen = footage(m)
     assert seen["sums"] == sums.max(axis=0).round(4).tolist()
@@ -20,7 +20,7 @@ def test_the_largest_sum_of_angles_is_shown_with_its_vertex() -> None:
 
 
 def test_footage_is_json_and_fits_into_the_field() -> None:
-    m = morph(gallery.curve("loop"), gallery.letter("S"), strategy="paper")
+    m = paper_morph(gallery.curve("loop"), gallery.letter("S"))
     seen = json.loads(json.dumps(footage(m)))
     assert len(seen["frames"]) == len(seen["stage"]) == len(seen["areas"]) == len(seen["sums"]) == FRAMES
     assert len(seen["stages"]) == max(seen["stage"]) + 1 > 1
@@ -30,15 +30,23 @@ def test_footage_is_json_and_fits_into_the_field() -> None:
     assert len(json.dumps(seen)) < 600_000
 
 
+def test_the_shapes_of_a_morph_have_one_scale() -> None:
+    T = triangulate(gallery.curve("horseshoe"))
+    m = morph(T, T.moved(3 * T.points))
+    seen = np.reshape(footage(m)["frames"], (FRAMES, -1, 2))
+    sizes, real = (np.ptp(shapes, axis=1).max(axis=1) for shapes in (seen, m.frames(FRAMES)))
+    np.testing.assert_allclose(sizes / sizes.max(), real / real.max(), atol=2 / BOX)
+
+
 def test_footage_shows_the_triangles_that_are_in_force() -> None:
-    m = morph(gallery.curve("loop"), gallery.letter("S"), strategy="paper")
+    m = paper_morph(gallery.curve("loop"), gallery.letter("S"))
     seen = footage(m)
     for f, t in enumerate(np.linspace(0, 1, FRAMES)):
         assert seen["stages"][seen["stage"][f]] == m.triangles_at(t).ravel().tolist()
 
 
 def test_a_refuted_morph_says_when_and_where_and_what_helps() -> None:
-    seen = footage(morph(*gallery.fan()))
+    seen = footage(paper_morph(*gallery.fan()))
     assert not seen["valid"]
     assert re.match(r"Bounds no disk at t = 0\.\d+: the angles at vertex 0 add up to", seen["words"])
     assert seen["words"].endswith("With the guarantee it would not.")
@@ -46,7 +54,7 @@ def test_a_refuted_morph_says_when_and_where_and_what_helps() -> None:
 
 
 def test_the_guarantee_is_not_recommended_to_those_who_have_it() -> None:
-    refuted = footage(morph(*gallery.fan()), guarantee=True)
+    refuted = footage(paper_morph(*gallery.fan()), guarantee=True)
     assert "guarantee" not in refuted["words"]
-    mended = footage(morph(*gallery.fan(), guarantee=True), guarantee=True)
+    mended = footage(morph(*gallery.fan()), guarantee=True)
     assert mended["valid"] and max(mended["sums"]) < 2 * np.pi

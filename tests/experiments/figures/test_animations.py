@@ -5,12 +5,12 @@ import pytest
 from PIL import Image
 
 from experiments.figures import animations
-from tween import gallery, morph
+from tween import gallery, paper_morph
 
 
 @pytest.mark.parametrize("name", ["e_to_l", "arrow_to_horseshoe"])
 def test_a_third_of_the_frames_shows_the_flips(name: str) -> None:
-    m = morph(*gallery.pair(name), strategy="paper")
+    m = paper_morph(*gallery.pair(name))
     times = animations.times(m, 31)
     assert times[0] == 0 and times[-1] == 1 and (np.diff(times) > 0).all()
     flips = [event.time for event in m.events]

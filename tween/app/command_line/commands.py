@@ -149,8 +149,8 @@ def morph(options: argparse.Namespace) -> int:
     write = _writer(options)
     source, target = _ends(options)
     with _stage(options, "matching and morphing"):
-        chosen = {name: getattr(options, name) for name in ("path", "root", "guarantee", "strategy", "shifts")}
-        m = morph_between(source, target, **chosen)
+        words = ("path", "guarantee", "strategy", "placement", "root", "landmarks")
+        m = morph_between(source, target, **{name: getattr(options, name) for name in words})
     certificate = None
     if options.certify:
         with _stage(options, "certifying"):

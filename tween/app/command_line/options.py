@@ -12,7 +12,7 @@ from importlib import metadata
 from math import inf
 from typing import Any, NoReturn
 
-from tween.choices import PATHS, ROOT_RULES, SHIFT_RULES, SIZES, STRATEGIES, STYLES
+from tween.choices import PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 _SHAPE = (
     "a .svg, .csv, .json, .geojson, .npz or .npy file; or gallery:NAME, letter:X, pair:NAME/source, see tween gallery"
@@ -42,9 +42,10 @@ _TRIANGULATE = """examples:
 _MORPH = """examples:
   tween morph gallery:horseshoe disk -o horseshoe.gif
   tween morph letter:e letter:l -o e_to_l.html --frames 30 --certify
-  tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee
+  tween morph gallery:arrow gallery:ell -o arrow.gif --landmark 0:12
+  tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee --strategy paper
 
-The same in Python: tween.morph(A, B, path="metric", guarantee=True).
+The same in Python: tween.morph(A, B, path="metric", guarantee=True, strategy="auto", placement="steady").
 Exit status: 0 written, 1 written but refuted by --certify, 2 bad input or usage."""
 
 _CERTIFY = """examples:
@@ -177,14 +178,23 @@ def _add_way(group: Any) -> None:
         "--strategy",
         choices=STRATEGIES,
         default="auto",
-        help="flip on the way (paper), use a triangulation valid in both (common), or that where there is one (auto)",
+        help="which vertices correspond, and how: the best match (matched), pivots and a triangulation valid in both "
+        "(common), pivots and flips (paper), or the first of these that needs no flips (auto, unless given)",
     )
     group.add_argument(
-        "--shifts",
-        type=_number_or(*SHIFT_RULES),
-        default="pivots",
-        metavar="WHICH",
-        help="which vertices correspond: by pivots (unless given), the best of all, or a number K: i and i+K",
+        "--landmark",
+        dest="landmarks",
+        type=_landmark,
+        action="append",
+        metavar="I:J",
+        help="vertex I of A has to become vertex J of B; may be given several times",
+    )
+    group.add_argument(
+        "--placement",
+        choices=PLACEMENTS,
+        default="steady",
+        help="size, place and direction of the shapes: changing evenly (steady, unless given), or as the triangle "
+        "has it from which the motion starts (root)",
     )
     group.add_argument("--certify", action="store_true", help="check the shapes exactly, independently of the morph")
 
@@ -269,6 +279,13 @@ def _number_or(*words: str) -> Callable[[str], str | int]:
             raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}") from None
 
     return read
+
+
+def _landmark(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"([0-9]+):([0-9]+)", text)
+    if not found:
+        raise argparse.ArgumentTypeError(f"expected the numbers of two vertices, such as 12:40, found {text!r}")
+    return int(found[1]), int(found[2])
 
 
 def _length(text: str) -> float:

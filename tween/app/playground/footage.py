@@ -1,6 +1,6 @@
 """Morphs in numbers that a browser can draw: shapes, areas, sums of angles, and what is certified.
 
-Shapes are placed in a field that is `BOX` units wide and high, y up, each as large as it allows.
+Shapes are placed in a field that is `BOX` units wide and high, y up; those of a morph all at one scale.
 """
 
 from typing import Any
@@ -38,7 +38,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
     Returns
     -------
     dict
-        frames : 81 lists x, y, x, y, ..., each as large as the field; stages : the lists of triangles in
+        frames : 81 lists x, y, x, y, ..., at one scale; stages : the lists of triangles in
         force, a, b, c, a, ...; stage : which of them, for each frame; areas : for each frame, of each triangle, in
         10000ths of the source; sums, worst : for each frame, the largest sum of angles, in radians, and its vertex;
         colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; words, valid : what
@@ -58,7 +58,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
     certificate = certify(m, FRAMES)
     colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.uint8)
     return {
-        "frames": [fit(shape) for shape in m.at(times)],
+        "frames": _in_field(m.at(times)),
         "stages": [m.triangles_at(float(times[f])).ravel().tolist() for f in first],
         "stage": stage.tolist(),
         "areas": np.rint(1e4 * area_matrix(m, FRAMES).T).astype(int).tolist(),
@@ -94,13 +94,16 @@ def fit(points: _Floats) -> list[int]:
     >>> fit(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]))
     [60, 280, 940, 280, 60, 720]
     """
-    low, high = points.min(axis=0), points.max(axis=0)
+    return _in_field(points[None])[0]
+
+
+def _in_field(shapes: _Floats) -> list[list[int]]:
+    """Place shapes in a field, all at one scale, as large as it allows."""
+    low, high = shapes.min(axis=(0, 1)), shapes.max(axis=(0, 1))
     scale = (BOX - 2 * _MARGIN) / (high - low).max()
-    return _whole((points - 0.5 * (low + high)) * scale + 0.5 * BOX)
-
-
-def _whole(points: _Floats) -> list[int]:
-    return np.rint(points).astype(int).ravel().tolist()
+    places = np.rint((shapes - 0.5 * (low + high)) * scale + 0.5 * BOX).astype(int)
+    rows: list[list[int]] = places.reshape(len(shapes), -1).tolist()
+    return rows
 
 
 def _root(m: Morph, root: str | int) -> int:

@@ -28,12 +28,12 @@ from tween.triangulating.flips import remesh
 OPTIONS: dict[str, Any] = {
     "path": "metric",
     "root": "disk-center",
-    "triangulation": "shared",
+    "triangulation": "matched",
     "guarantee": True,
     "seed": 0,
 }
 TRIANGULATIONS = {
-    "shared": "shared by both",
+    "matched": "matched",
     "remeshed": "remeshed (Delaunay)",
     "random": "random",
 }
@@ -43,7 +43,7 @@ ROOTS = {
 }
 HELP = {
     "path": "How the triangles change; slide and linear are the paper's.",
-    "triangles": "How the two disks are cut into triangles: alike, where possible; or each for itself, with flips.",
+    "triangles": "How the disks are cut into triangles: alike, as they match best; or each for itself, with flips.",
     "root": "The triangle from which the motion spreads, the dot in the middle field; click another one there.",
     "guarantee": "Whether angle budgets see to it that every shape bounds an immersed disk.",
 }
@@ -161,7 +161,7 @@ class Sketch:
         elif self.morph is None:
             raise FileError("there is no morph to save yet")
         elif kind in ("gif", "svg", "html"):
-            save_animation(path, self.morph, size=360, one_scale=False)
+            save_animation(path, self.morph, size=360)
         else:
             write_frames(path, self.morph, frames=9 if kind == "strip" else 60)
         return path
@@ -191,9 +191,9 @@ class Sketch:
             return morph(first, first.on_disk(), **options)
         second = _triangulated(self.target, rng)
         second = second.moved(second.points * self._scale(first, second))
-        if triangulation == "shared":
+        if triangulation == "matched":
             return morph(first.curve, second.curve, **options)
-        return morph(first, second, **options)
+        return morph(first, second, strategy="paper", **options)
 
     def _scale(self, first: Triangulation, second: Triangulation) -> float:
         """A power of two, which rounds nothing, by which the second becomes about as large as the first."""

@@ -107,7 +107,7 @@ class Picture:
         """The morph, side by side, from left to right."""
         if self.sketch.morph is None:
             return None
-        shown = record(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False, one_scale=False)
+        shown = record(self.sketch.morph, frames=_PICTURES, size=(_SIZE, _SIZE), ease=False)
         strip = Image.new("RGB", (_PICTURES * _SIZE, _SIZE), "white")
         for k in range(_PICTURES):
             strip.paste(pixels.picture(shown, k), (k * _SIZE, 0))
