@@ -2,7 +2,7 @@
 
 Every shape is as large as the others, as in the figure, and the scale is written beside the time.  The flips come so
 close together that evenly spaced times would show two or three shapes while they happen; so a third of the shapes are
-spent on them, in slow morph.
+spent on them, in slow morph.  One pair is there a second time, matched: there all shapes have one scale.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from PIL import Image
 
 from experiments.figures.rows import bottom, draw_layers, fit, places, reach, scale_label
 from experiments.store import RESULTS, compute, replacing
-from tween import Morph, Triangulation, gallery, paper_morph
+from tween import Morph, Triangulation, gallery, morph, paper_morph
 from tween import plot as draw
 
 FOLDER = RESULTS / "animations"
@@ -31,6 +31,7 @@ PARAMETERS: dict[str, Any] = {
     "duration": [70, 900],  # milliseconds of a frame, and of the source and the target
 }
 SLOW = 1 / 3  # of the frames of a morph that flips, for the time until its last flip
+MATCHED = {"matched_arrow_to_horseshoe": "arrow_to_horseshoe"}
 
 
 def times(m: Morph, count: int) -> NDArray[np.float64]:
@@ -44,7 +45,7 @@ def times(m: Morph, count: int) -> NDArray[np.float64]:
     return np.interp(even, [0, 1 - SLOW, 1], [0, first, 1])
 
 
-def pictures(m: Morph) -> Iterator[Image.Image]:
+def pictures(m: Morph, one_scale: bool = False) -> Iterator[Image.Image]:
     """The frames from source to target: layers, the pivot, the time, and how many flips are done."""
     width, height = PARAMETERS["size"]
     canvas = FigureCanvasAgg(Figure(figsize=(width / 100, height / 100), dpi=100))
@@ -53,15 +54,17 @@ def pictures(m: Morph) -> Iterator[Image.Image]:
     place, first, pivot = places(m.source), bottom(m), m.alignment.pivot
     flips = np.array([event.time for event in m.events])
     text: dict[str, Any] = {"transform": ax.transAxes, "fontsize": 9}
+    everything = m.frames(PARAMETERS["frames"]).reshape(-1, 2)
     for t in times(m, PARAMETERS["frames"]).tolist():
         ax.clear()
         points = m(t)
         draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, first)
         if pivot is not None:
             ax.scatter(points[pivot, 0], points[pivot, 1], s=26, color=draw.PIVOT, linewidths=0, zorder=5)
-        fit(ax, points)
+        fit(ax, everything if one_scale else points)
         done = 0 if t == 0 else int((flips <= t).sum())
-        ax.text(0.02, -0.03, f"t = {t:.3f}" + scale_label(reach(m.source.points) / reach(points)), **text)
+        scale = "" if one_scale else scale_label(reach(m.source.points) / reach(points))
+        ax.text(0.02, -0.03, f"t = {t:.3f}{scale}", **text)
         ax.text(0.98, -0.03, f"{done} of {len(flips)} flips" if len(flips) else "no flips", ha="right", **text)
         canvas.draw()
         yield Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
@@ -94,7 +97,8 @@ def gif(frames: list[Image.Image]) -> bytes:
 def work(name: str) -> int:
     """Write the animation of one pair; returns how many bytes it has."""
     draw.use_style()
-    frames = list(pictures(paper_morph(*gallery.pair(name))))
+    both = gallery.pair(MATCHED.get(name, name))
+    frames = list(pictures(morph(*both), one_scale=True) if name in MATCHED else pictures(paper_morph(*both)))
     for count in PARAMETERS["colors"]:
         content = gif(in_few_colors(frames, count))
         if len(content) <= PARAMETERS["limit"]:
@@ -108,8 +112,8 @@ def main() -> None:
     argparse.ArgumentParser(
         prog="python -m experiments.figures.animations", description=__doc__.split("\n")[0]
     ).parse_args()
-    sizes = compute("animations", PARAMETERS, gallery.pairs(), work)
-    print(f"animations: {len(sizes)} pairs, at most {max(sizes) / 1000:.0f} kB each -> results/animations/")
+    sizes = compute("animations", PARAMETERS, [*gallery.pairs(), *MATCHED], work)
+    print(f"animations: {len(sizes)} morphs, at most {max(sizes) / 1000:.0f} kB each -> results/animations/")
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ def interior_angles(T: Triangulation, points: NDArray[np.float64]) -> NDArray[np
     """The sum of the angles of the triangles at each vertex, with other points."""
     z = (points @ np.array([1, 1j]))[T.triangles]
     angles = np.angle((np.roll(z, 1, axis=1) - z) / (np.roll(z, -1, axis=1) - z))
-    return np.bincount(T.triangles.ravel(), weights=angles.ravel(), minlength=len(T))
+    return np.asarray(np.bincount(T.triangles.ravel(), weights=angles.ravel(), minlength=len(T)), np.float64)
 
 
 def lower_bound(T: Triangulation, other: Triangulation) -> float:

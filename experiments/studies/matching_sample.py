@@ -26,20 +26,17 @@ def sample() -> list[str]:
 
 def differences(found: pd.DataFrame, committed: pd.DataFrame) -> list[str]:
     """Every number that differs beyond its rounding, and every row that only one of the two tables has."""
-    both = found.merge(committed, on=KEYS, how="outer", suffixes=("", "_committed"), indicator=True)
-    alone = both[both._merge != "both"]
-    told = [
-        f"{_name(row)}: only in the {'new' if row._merge == 'left_only' else 'committed'} table"
-        for row in alone.itertuples()
-    ]
-    both = both[both._merge == "both"]
+    both = found.merge(committed, on=KEYS, how="outer", suffixes=("", " committed"), indicator="where")
+    sides = {"left_only": "new", "right_only": "committed"}
+    alone = both[both["where"] != "both"]
+    told = [f"{_name(row)}: only in the {sides[row['where']]} table" for _, row in alone.iterrows()]
+    both = both[both["where"] == "both"]
     for column in NUMBERS:
-        new, old = both[column].astype(float), both[f"{column}_committed"].astype(float)
-        agree = (new - old).abs() <= _allowance(column, old)
-        agree |= new.isna() & old.isna()
+        new, old = both[column].astype(float), both[f"{column} committed"].astype(float)
+        agree = ((new - old).abs() <= _allowance(column, old)) | (new.isna() & old.isna())
         told += [
-            f"{_name(row)}: {column} is {getattr(row, column)}, committed {getattr(row, f'{column}_committed')}"
-            for row in both[~agree].itertuples()
+            f"{_name(row)}: {column} is {row[column]}, committed {row[f'{column} committed']}"
+            for _, row in both[~agree].iterrows()
         ]
     return told
 
@@ -53,8 +50,8 @@ def _allowance(column: str, committed: pd.Series) -> pd.Series:
     return committed.abs() * 1.01 * 10.0 ** (1 - matching.PARAMETERS["digits"])
 
 
-def _name(row: object) -> str:
-    return ", ".join(str(getattr(row, key)) for key in KEYS)
+def _name(row: pd.Series) -> str:
+    return ", ".join(row[KEYS])
 
 
 def main() -> None:
