@@ -157,18 +157,18 @@ def _flip_greedily(T: Triangulation, counts: NDArray[np.int64]) -> tuple[Triangu
 
 def _first_possible(leg: Leg, quads: NDArray[np.int64], step: float) -> tuple[float, NDArray[np.float64]]:
     """The first share of a leg at which one of the quads is strictly convex, to 2e-9, and the shape there."""
-    low, first = 0.0, -1
+    low, first, no_room = 0.0, -1, np.zeros((len(quads), 2))
     while first < 0:
         shares = np.minimum(1.0, low + step * np.arange(1, 17))
         shapes = leg.at(shares)
-        first = first_convex(shapes, quads)
+        first = first_convex(shapes, quads, no_room)
         low = shares[-1] if first < 0 else low
     for _ in range(5):
         low, high = (shares[first - 1] if first else low), shares[first]
         shares = low + (high - low) * SIXTEENTHS
         shares[-1] = high
         shapes = leg.at(shares)
-        first = first_convex(shapes, quads)
+        first = first_convex(shapes, quads, no_room)
     return float(shares[first]), shapes[first]
 
 
