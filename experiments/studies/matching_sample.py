@@ -45,7 +45,7 @@ def _allowance(column: str, committed: pd.Series) -> pd.Series:
     """How far a number may lie from the committed one."""
     if column in RANKS:
         return committed * 0 + 1
-    if column in ("n", "flips", "disks"):
+    if column in ("n", "guaranteed", "flips", "disks"):
         return committed * 0
     return committed.abs() * 1.01 * 10.0 ** (1 - matching.PARAMETERS["digits"])
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tween import Morph, find_triangles, gallery, morph, read_frames, save_animation, verify, write_frames
+from tween import Morph, find_triangles, gallery, morph, paper_morph, read_frames, save_animation, verify, write_frames
 from tween.app.command_line import main as command_line
 from tween.errors import FileError
 from tween.plot.film import record
@@ -69,7 +69,7 @@ def test_every_pair_of_the_gallery_is_exported_and_verified(name: str, tmp_path:
 
 
 def test_a_morph_that_is_not_valid_is_drawn_all_the_same_and_refuted_when_read_back(tmp_path: Path) -> None:
-    broken = morph(*gallery.fan(), path="slide", strategy="paper")
+    broken = paper_morph(*gallery.fan())
     frames, triangles, times = read_frames(save_animation(tmp_path / "film.svg", broken))
     assert "vertex 0" in verify(frames, triangles, times, between="linear").first_failure.rule
 
@@ -79,7 +79,7 @@ def test_a_morph_that_is_not_valid_is_drawn_all_the_same_and_refuted_when_read_b
 
 def test_moving_one_vertex_of_one_frame_in_a_file_is_seen(tmp_path: Path) -> None:
     T = gallery.curve("ell")
-    path = save_animation(tmp_path / "film.svg", morph(T, gallery.curve("arrow")), style="outline")
+    path = save_animation(tmp_path / "film.svg", morph(T, gallery.curve("arrow"), strategy="common"), style="outline")
     text = path.read_text()
     values = re.search(r'attributeName="d" [^>]* values="([^"]*)"', text)[1].split(";")
     steps = values[3].split("l")

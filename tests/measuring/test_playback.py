@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tween import TweenError, gallery, morph, triangulate, verify
+from tween import TweenError, gallery, morph, paper_morph, triangulate, verify
 from tween.measuring.playback import playback
 
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
@@ -96,7 +96,7 @@ def test_flips_are_played_under_either_list() -> None:
 
 
 def test_a_morph_that_is_not_valid_cannot_be_played_and_time_and_rule_are_named() -> None:
-    m = morph(*gallery.fan(), path="slide", strategy="paper")
+    m = paper_morph(*gallery.fan())
     with pytest.raises(TweenError, match=r"cannot be played back from t = 0\.0\d+ on: at t = 0.0\d+ .*vertex 0"):
         m.playback(1e-3)
 

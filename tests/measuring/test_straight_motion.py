@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tween import certify, gallery, morph, verify
+from tween import certify, gallery, morph, paper_morph, verify
 from tween.measuring import straight_motion
 from tween.measuring.straight_motion import Breach, breaches
 
@@ -338,7 +338,7 @@ def test_both_ends_of_the_range_of_coordinates_are_exact(size: float) -> None:
 
 
 def test_a_forged_proof_is_neither_believed_nor_repeated() -> None:
-    m = morph(*gallery.fan(), path="slide")
+    m = paper_morph(*gallery.fan())
     m.proof = "every angle is interpolated, trust me"
     cert = certify(m, frames=2)
     assert not cert.valid
