@@ -83,3 +83,23 @@ def test_the_ranks_below_the_median_are_counted() -> None:
 def test_the_pairs_without_flips_are_counted() -> None:
     pairs = result("pairs").drop_duplicates(["source", "target"])
     assert f"{(pairs['common'] != 'none').sum()} of {len(pairs)} pairs" in README
+
+
+def test_the_figures_of_matching_are_those_of_the_study() -> None:
+    study = result("matching")
+    matched = study[study["method"] == "matched"]
+    assert (len(matched), matched["flips"].astype(float).sum(), matched["guaranteed"].min()) == (561, 0, 1)
+    assert (matched["disks"] == 61).all()
+    medians = (
+        study[study["method"].isin(["paper", "matched"])].groupby("method")[["AR_1e-4", "Var", "swelling"]].median()
+    )
+    ours, theirs = medians.loc["matched"], medians.loc["paper"]
+    words = re.sub(r"\s+", " ", README)
+    assert f"AR at 1e-4 {theirs['AR_1e-4']:.0f} and {ours['AR_1e-4']:.0f}" in words
+    assert f"Var {theirs['Var']:.1e} and {ours['Var']:.1e}".replace("e-0", "e-") in words
+    assert f"larger end {theirs['swelling']:.1f} and {ours['swelling']:.0f}" in words
+
+
+def test_the_central_root_under_steady_placement_is_that_of_the_study() -> None:
+    row = result("root_steady_summary").query("path == 'slide' and measure == 'Var'").iloc[0]
+    assert f"on {row['below_median']} of {row['curves']} curves" in re.sub(r"\s+", " ", README)
