@@ -13,7 +13,28 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "tween").glob("**/*.py"))
 # Test files in a folder of the package that test something else than a module.
-WITHOUT_MODULE = {"app/playground/test_browser.py": "the face of the playground, in a browser"}
+WITHOUT_MODULE = {
+    "app/playground/test_browser.py": "the face of the playground, in a browser",
+    "morphing/test_guarantee.py": "what a guarantee promises, along all paths and strategies",
+}
+# Modules that serve another one, and are tested with it.
+TESTED_WITH = {
+    "geometry/faces.py": "triangulating/test_explanation.py",
+    "geometry/halving.py": "geometry/test_curve.py",
+    "geometry/meeting_edges.py": "geometry/test_curve.py",
+    "geometry/pieces.py": "triangulating/test_cleaning.py",
+    "geometry/smoothing.py": "triangulating/test_cleaning.py",
+    "morphing/compatible/area_bounds.py": "morphing/test_guarantee.py",
+    "morphing/compatible/area_twists.py": "morphing/test_guarantee.py",
+    "morphing/compatible/layout.py": "morphing/compatible/test_leg.py",
+    "morphing/compatible/layout_errors.py": "morphing/test_guarantee.py",
+    "morphing/incompatible/chord_crossings.py": "morphing/incompatible/test_flip_sequence.py",
+    "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
+    "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
+    "morphing/shape_order.py": "morphing/test_guarantee.py",
+    "triangulating/changes.py": "triangulating/test_cleaning.py",
+    "triangulating/mending.py": "triangulating/test_explanation.py",
+}
 
 
 def name_of(path: Path) -> str:
@@ -84,7 +105,9 @@ def test_every_module_has_its_test_file_and_every_test_file_its_module() -> None
     modules = {path.relative_to(ROOT / "tween").as_posix() for path in MODULES if path.name != "__init__.py"}
     tests = {path.relative_to(ROOT / "tests").as_posix() for path in (ROOT / "tests").glob("**/test_*.py")}
     assert len(modules) > 40
-    assert mirror_faults(modules, tests - WITHOUT_MODULE.keys()) == []
+    assert TESTED_WITH.keys() <= modules
+    assert set(TESTED_WITH.values()) <= tests
+    assert mirror_faults(modules - TESTED_WITH.keys(), tests - WITHOUT_MODULE.keys()) == []
     assert WITHOUT_MODULE.keys() <= tests
 
 

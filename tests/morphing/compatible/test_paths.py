@@ -56,7 +56,9 @@ def test_along_the_path_of_metrics_every_squared_length_changes_linearly(z1, z2,
 def test_height_and_difference_of_angles_determine_a_triangle(x, magnitude) -> None:
     z = complex(x, 10.0**magnitude)
     a, b, c = base_angles(np.array([z]))[0]
-    assert abs(area_apex(z.imag, 2 * a + c, 2 * b + c) - z) < 1e-9 * max(1, abs(z))
+    # the angles are known to some units of rounding, of which a flat triangle makes that over its height
+    rounding = max(1e-9, 1e-15 / z.imag)
+    assert abs(area_apex(z.imag, 2 * a + c, 2 * b + c) - z) < rounding * max(1, abs(z))
 
 
 @given(apexes, apexes, edges)

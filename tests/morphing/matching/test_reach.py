@@ -29,7 +29,7 @@ def test_a_gap_holds_the_positions_from_its_node_to_the_next(seed: int) -> None:
 @pytest.mark.parametrize("steps", [0, 1, 3, 99])
 def test_partners_lie_in_gaps_not_too_many_diagonals_away(seed: int, steps: int) -> None:
     T, _, arc, low, size = parts(9, seed)
-    first, end = near_pairs(len(arc), low, size, T.triangles, T.twin.ravel(), steps)
+    first, end = near_pairs(len(arc), low, size, T.triangles, T.twin.ravel(), steps, 10**6)
     gaps = [{int((low[r] + k) % len(arc)) for k in range(size[r])} for r in range(9)]
     before = [next(t for t, s in np.argwhere(T.twin < 0) if T.triangles[t, s] == r) for r in range(9)]
     for p in range(len(arc)):

@@ -134,7 +134,20 @@ def straight_lines(points):
 
 
 def all_pairs(count: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """All positions as partners of each, rows as in `Chords`."""
+    """All positions as partners of each, rows as in `Chords`.
+
+    Parameters
+    ----------
+    count : int
+        Number of positions.
+
+    Returns
+    -------
+    start : ndarray of int64, shape (count + 1,)
+        Where the row of each position begins.
+    partners : ndarray of int32
+        The rows, one after the other.
+    """
     end = (np.arange(count)[:, None] + np.arange(1, count)) % count
     return np.arange(count + 1) * (count - 1), end.ravel().astype(np.int32)
 

@@ -105,7 +105,16 @@ class Shape:
 
 
 def scaled(T: Triangulation) -> _Floats:
-    """Points about their centre, with the disk scaled to area 1."""
+    """Points about their centre, with the disk scaled to area 1.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    ndarray of float64, shape (n, 2)
+    """
     away = T.points - T.points.mean(axis=0)
     largest = np.abs(away).max()  # so that no square overflows
     x, y = (away / largest).T
@@ -199,7 +208,22 @@ def first_level(
 ) -> list[Correspondence]:
     """Solve the product table in full, with so many evenly spaced candidates on every edge.
 
-    Returns the best correspondence of each local minimum over the places of the source's first vertex, best first.
+    Parameters
+    ----------
+    S, T : Shape
+    sizes : (int, int)
+        Numbers of vertices to which the two are simplified.
+    candidates : (int, int)
+        On every edge of either.
+    nodes : Landmarks
+        What has to be matched.
+    stretch : float
+        Price of a boundary piece whose share of the curve changes.
+
+    Returns
+    -------
+    list of Correspondence
+        The best of each local minimum over the places of the source's first vertex, the best first.
     """
     levels = S.level(sizes[0]), T.level(sizes[1])
     places = [_even(shape.arc[level.kept], c) for shape, level, c in zip((S, T), levels, candidates, strict=True)]
@@ -228,7 +252,27 @@ def next_level(
     effort: Effort,
     stretch: float,
 ) -> Correspondence | None:
-    """Solve the table in the neighbourhood of a coarser correspondence; None where it holds nothing."""
+    """Solve the table in the neighbourhood of a coarser correspondence.
+
+    Parameters
+    ----------
+    S, T : Shape
+    sizes : (int, int)
+        Numbers of vertices to which the two are simplified.
+    last : Correspondence
+        Of the coarser level.
+    nodes : Landmarks
+        What has to be matched.
+    effort : Effort
+        How wide the neighbourhood is, and how many candidates there are.
+    stretch : float
+        Price of a boundary piece whose share of the curve changes.
+
+    Returns
+    -------
+    Correspondence or None
+        None where the neighbourhood holds no common triangulation.
+    """
     levels = S.level(sizes[0]), T.level(sizes[1])
     arcs = S.arc[levels[0].kept], T.arc[levels[1].kept]
     source = S.positions(levels[0], _images(last.to_source(arcs[1]), arcs[0], effort))
@@ -269,7 +313,13 @@ def _band(source: Positions, target: Positions, last: Correspondence, band: int)
 
 
 class Landmarks(NamedTuple):
-    """Vertices of the source and of the target, in the shapes' own numbers, that must be matched; shape (k,) each."""
+    """Vertices that must be matched, in the shapes' own numbers.
+
+    Attributes
+    ----------
+    source, target : ndarray of int64, shape (k,)
+        Vertex i of one belongs to vertex i of the other.
+    """
 
     source: NDArray[np.int64]
     target: NDArray[np.int64]

@@ -279,7 +279,16 @@ def energy(source: Triangulation, target: Triangulation) -> float:
 
 
 def is_valid(source: Triangulation, target: Triangulation) -> bool:
-    """Whether the same triangles are counter-clockwise in both shapes and both curves turn once, exactly."""
+    """Whether the same triangles are counter-clockwise in both shapes and both curves turn once, exactly.
+
+    Parameters
+    ----------
+    source, target : Triangulation
+
+    Returns
+    -------
+    bool
+    """
     for T in (source, target):
         if (orient2d(*np.moveaxis(T.points[T.triangles], 1, 0)) <= 0).any() or turning_number(T.points) != 1:
             return False

@@ -93,7 +93,20 @@ class Found:
 
 
 def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
-    """Numbers of vertices of two curves level by level."""
+    """Numbers of vertices of two curves level by level.
+
+    Parameters
+    ----------
+    n, m : int
+        Vertices of the two curves.
+    first : int
+        Vertices of the first level, at most.
+
+    Returns
+    -------
+    list of (int, int)
+        The coarsest first; the last is (n, m).
+    """
     sizes, size = [], float(first)
     while size * _LEAST_GROWTH < max(n, m):
         sizes.append((min(n, round(size)), min(m, round(size))))
@@ -102,7 +115,19 @@ def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
 
 
 def even_candidates(n: int, m: int, even: int = 1) -> tuple[int, int]:
-    """Candidates an edge, so many or as many as give each curve twice the positions that the larger has vertices."""
+    """Candidates an edge, so many or as many as give each curve twice the positions that the larger has vertices.
+
+    Parameters
+    ----------
+    n, m : int
+        Vertices of the two curves.
+    even : int
+        Candidates an edge, at least.
+
+    Returns
+    -------
+    (int, int)
+    """
     most = (even + 1) * max(n, m)
     return max(even, -(-most // n) - 1), max(even, -(-most // m) - 1)
 
@@ -167,7 +192,7 @@ def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
     if most > SMALL:
         return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
     if candidates is not None:
-        return [Attempt(SMALL, candidates, 0.0, 1, (), True)]
+        return [Attempt(SMALL, candidates, 0.0, 1, (), literal=True)]
     exact = [Attempt(SMALL, even, 0.0, 1, ()) for even in _EVEN if (even + 1) * most <= _MOST_POSITIONS or even == 1]
     return exact + [Attempt(first, 2, 0.0, 2, _HEAVY) for first in (most // 2, most // 3) if first > 3]
 
