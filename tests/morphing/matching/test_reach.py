@@ -28,8 +28,8 @@ def test_a_gap_holds_the_positions_from_its_node_to_the_next(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("steps", [0, 1, 3, 99])
 def test_partners_lie_in_gaps_not_too_many_diagonals_away(seed: int, steps: int) -> None:
-    T, _, arc, low, size = parts(9, seed)
-    first, end = near_pairs(len(arc), low, size, T.triangles, T.twin.ravel(), steps, 10**6)
+    T, nodes, arc, low, size = parts(9, seed)
+    first, end = near_pairs(np.asarray(arc), np.asarray(nodes), T.points, T.triangles, T.twin.ravel(), steps, 10**6)
     gaps = [{int((low[r] + k) % len(arc)) for k in range(size[r])} for r in range(9)]
     before = [next(t for t, s in np.argwhere(T.twin < 0) if T.triangles[t, s] == r) for r in range(9)]
     for p in range(len(arc)):
@@ -37,5 +37,5 @@ def test_partners_lie_in_gaps_not_too_many_diagonals_away(seed: int, steps: int)
         far = np.min([oracle.distances(T.triangles, before[r]) for r in own], axis=0)
         wanted = set().union(*(gaps[r] for r in range(9) if far[before[r]] <= steps)) - {p}
         row = end[first[p] : first[p + 1]].tolist()
-        assert set(row) == wanted and len(row) == len(wanted)
+        assert wanted <= set(row) and len(row) == len(set(row))  # corners of larger triangles may be added
         assert row == sorted(row, key=lambda q, p=p: (q - p) % len(arc))
