@@ -9,14 +9,16 @@ import tween
 from tween import errors
 from tween.errors import TweenError
 
+# Of these no single input is at fault: what is asked of a morph is more than doubles can give.
+BEYOND_DOUBLES = {errors.MotionError, errors.GuaranteeError}
 EVERY = [e for _, e in inspect.getmembers(errors, inspect.isclass)]
 
 
-def test_there_is_one_root_of_all_errors_and_all_others_are_faults_of_the_input() -> None:
+def test_there_is_one_root_of_all_errors_and_most_others_are_faults_of_the_input() -> None:
     assert len(EVERY) >= 5
     for error in EVERY:
         assert issubclass(error, TweenError)
-        assert issubclass(error, ValueError) == (error is not TweenError)
+        assert issubclass(error, ValueError) == (error not in BEYOND_DOUBLES | {TweenError})
 
 
 @pytest.mark.parametrize("error", EVERY, ids=lambda e: e.__name__)

@@ -24,8 +24,8 @@ the derivative of the cotangent vanishes where 2 g' D = g D', and that is s E0 +
     E0 = g1 p - g0 M / 2   E1 = g1 M / 2 - g0 q
 
 since the coefficient of s t is E0 + E1 and s + t = 1 divides.  So there is one such time at most, at weights
-s : t = |E1| : |E0|.  D is a sum of positive terms there, so nothing cancels in it however much a base
-shrinks.  In g two terms cancel only where x changes sign; then M >= (|x0| + |x1|)^2 makes the square root of D
+s : t = abs(E1) : abs(E0).  D is a sum of positive terms there, so nothing cancels in it however much a base
+shrinks.  In g two terms cancel only where x changes sign; then M >= (abs(x0) + abs(x1))^2 makes the square root of D
 twice as large as either term, and the angle is right to some roundings.
 
 Legend: ``z`` third vertices; ``x y`` their coordinates; ``low high`` ends of intervals.

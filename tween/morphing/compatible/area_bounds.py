@@ -6,7 +6,7 @@ base, is a cubic in time.  With r = sin a / sin b, the ratio of the edges bc and
 
     da = sin c r/(1+r^2) dln h + r^2/(1+r^2) dd      db = sin c r/(1+r^2) dln h - 1/(1+r^2) dd
 
-(from h = sin a sin b / sin c).  So a grows with h and with d, b with h and with -d, and c falls with h and with |d|:
+(from h = sin a sin b / sin c).  So a grows with h and with d, b with h and with -d, and c falls with h and with abs(d):
 each angle is largest at a corner of the intervals of h and d, exactly.  The length of ca changes at the rate
 
     u' (1 - 2 K) + K A'/A + k d'      K = r/(1+r^2) (r cos^2 b - cos a cos b + 2 sin a sin b)

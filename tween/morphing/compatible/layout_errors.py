@@ -13,7 +13,7 @@ turns over on the straight way from the ideal shape to the array; and then the s
 turns of the two *boundary* edges there only, since what one triangle loses at an inner edge its neighbour gains.  An
 edge of length l turns by less than 1.6 times the errors of its ends over l.  The angles of the ideal triangles differ
 from those that were proved for the path by the rounding of z: by 2^-48, and at both ends of the edge bc by that much
-times |z| / |1-z|, since z is rounded relative to its distance from 0.
+times abs(z) / abs(1-z), since z is rounded relative to its distance from 0.
 
 So a shape is valid, in doubles, where no triangle is lower than twice its errors, and no vertex spends more on turns
 and roundings than it has left below 2 pi.  `first_doubt` looks at intervals of time: few long ones first; those in
