@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 
-from experiments.measures import MEASURES, PARAMETERS, QUANTILES
+from experiments.measures import MEASURES, PARAMETERS, QUANTILES, areas_to_disk, measures
 from experiments.store import RESULTS
 from experiments.studies import to_disk
 from experiments.subjects import shape, shapes
@@ -19,7 +19,7 @@ def test_the_committed_table_is_what_the_code_gives(name: str) -> None:
     table = pd.read_csv(TABLE).set_index(["curve", "path", "triangulation"])
     remeshed = remesh(decompose(shape(name)).arbitrary())
     for path in PARAMETERS["paths"]:
-        *ranks, variance = to_disk.measure(remeshed, remeshed.on_disk().points, path)
+        *ranks, variance = measures(areas_to_disk(remeshed, remeshed.on_disk().points, path))
         row = table.loc[(name, path, "remeshed")]
         assert row["AR_1e-4"] == ranks[0]
         assert row["Var"] == pytest.approx(variance, rel=1e-3)
