@@ -21,7 +21,7 @@ export NUMBA_CACHE_DIR := $(CURDIR)/.cache/numba/$(SOURCES_SUM)
 export MPLBACKEND := Agg
 INLINE := MPLBACKEND=module://matplotlib_inline.backend_inline
 NBVAL := $(INLINE) $(BIN)/python -m pytest --nbval-current-env
-PLAYGROUND := notebooks/09_playground.ipynb
+PLAYGROUND := notebooks/10_playground.ipynb
 # A person's own settings of matplotlib and IPython would change the figures.
 export MPLCONFIGDIR := $(CURDIR)/.cache/matplotlib
 export IPYTHONDIR := $(CURDIR)/.cache/ipython

@@ -27,7 +27,7 @@ from tween import gallery, verify
 from tween.io.read_write import read_frames
 
 ROOT = Path(__file__).resolve().parents[3]
-NOTEBOOK = "09_playground.ipynb"
+NOTEBOOK = "10_playground.ipynb"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 CHROMIUM = next((path for path in map(shutil.which, BROWSERS) if path), None)
 ARGUMENTS = [
