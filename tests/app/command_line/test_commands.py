@@ -123,6 +123,7 @@ def test_triangulate_writes_the_triangulation_asked_for(options: str, expected: 
         ("--root 3 --strategy paper", {"path": "metric", "root": 3, "strategy": "paper", "guarantee": True}),
         ("--strategy common --placement root", {"strategy": "common", "placement": "root"}),
         ("--landmark 0:0", {"landmarks": [(0, 0)]}),
+        ("--pace speed", {"pace": "speed"}),
     ],
 )
 def test_morph_writes_the_morph_of_the_library(line: str, options: Any, run: Run) -> None:

@@ -150,7 +150,7 @@ def morph(options: argparse.Namespace) -> int:
     write = _writer(options)
     source, target = _ends(options)
     with _stage(options, "matching and morphing"):
-        words = ("path", "guarantee", "strategy", "placement", "root", "landmarks")
+        words = ("path", "guarantee", "strategy", "placement", "root", "landmarks", "pace")
         m = morph_between(source, target, **{name: getattr(options, name) for name in words})
     certificate = None
     if options.certify:

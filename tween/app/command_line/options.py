@@ -12,7 +12,7 @@ from importlib import metadata
 from math import inf
 from typing import Any, NoReturn
 
-from tween.choices import PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
+from tween.choices import PACES, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 _SHAPE = (
     "a .svg, .csv, .json, .geojson, .npz or .npy file; or gallery:NAME, letter:X, pair:NAME/source, see tween gallery"
@@ -197,6 +197,13 @@ def _add_way(group: Any) -> None:
         default="steady",
         help="size, place and direction of the shapes: changing evenly (steady, unless given), or as the triangle "
         "has it from which the motion starts (root)",
+    )
+    group.add_argument(
+        "--pace",
+        choices=PACES,
+        default="auto",
+        help="the clock: the motion's own (time), or vertices always equally fast (speed); unless given, time where "
+        "there are no flips, and speed where there are",
     )
     group.add_argument("--certify", action="store_true", help="check the shapes exactly, independently of the morph")
 
