@@ -27,9 +27,10 @@ from tween.errors import IncompatibleError
 from tween.geometry.curve import turning_number
 from tween.geometry.predicates import orient2d
 from tween.geometry.triangulation import Triangulation, canonical
-from tween.morphing.matching.given import Given, checked_landmarks
-from tween.morphing.matching.levels import Correspondence, Landmarks, Shape
+from tween.morphing.matching.given import Given, Landmarks, checked_landmarks
+from tween.morphing.matching.levels import Correspondence
 from tween.morphing.matching.search import Found, search
+from tween.morphing.matching.simplify import Shape
 from tween.morphing.matching.spread import spread
 
 
