@@ -247,7 +247,7 @@ class Decomposition:
         Returns
         -------
         list of Triangulation
-            One for each equivalence class of immersions, in the order of the reduced curve's table.
+            One for each equivalence class of immersions, in the order of the table.
 
         Raises
         ------
@@ -262,7 +262,8 @@ class Decomposition:
         all locally Delaunay.  So it is enough to list those: the same table, where a split counts
         only under a triangle whose third vertex is not in its circumcircle.  Of four cocircular vertices
         the one of smallest number counts as slightly lifted, exactly, so ties do not multiply the
-        answer.  The curve is reduced first, see `.reduction`, and the rest costs O(splits * n).  Exact.
+        answer.  A curve of more than 200 vertices is reduced first, see `.reduction`; the rest costs O(splits * n).
+        Exact.
 
         Examples
         --------
@@ -277,8 +278,11 @@ class Decomposition:
         self._require()
         if len(self._curves) > 1:
             raise TweenError(f"immersions belong to one curve, but {len(self._curves)} were decomposed together")
-        table = self._reduced or Table(self._points[:, self._reduction.kept])
-        return [self._restored(triangles) for triangles in table.delaunay()]
+        if self._reduced is not None:
+            return [self._restored(triangles) for triangles in self._reduced.delaunay()]
+        if len(self._curves[0].crossings) == 0:  # a simple polygon; ties alone could take long
+            return [remesh(self.arbitrary())]
+        return [self._triangulation(triangles) for triangles in self._full.delaunay()]
 
     def explain(self) -> "Explanation":
         """Say why there is no triangulation, where, and what would mend the curve.
