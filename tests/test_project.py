@@ -21,7 +21,6 @@ WITHOUT_MODULE = {
 TESTED_WITH = {
     "geometry/faces.py": "triangulating/test_explanation.py",
     "geometry/halving.py": "geometry/test_curve.py",
-    "geometry/meeting_edges.py": "geometry/test_curve.py",
     "geometry/pieces.py": "triangulating/test_cleaning.py",
     "geometry/smoothing.py": "triangulating/test_cleaning.py",
     "morphing/compatible/area_bounds.py": "morphing/test_guarantee.py",

@@ -4,7 +4,8 @@ import numpy as np
 import oracle
 import pytest
 
-from tween import Curve, CurveError, Triangulation, TriangulationError
+from tween import Curve, CurveError, Triangulation
+from tween.errors import TriangulationError
 from tween.geometry.meeting_edges import meeting_edges
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -262,7 +262,7 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
 def _as_doubles(points: ArrayLike) -> NDArray[np.float64]:
     """Copy numbers to doubles, or raise the `CurveError` that says what would be lost."""
     if np.ma.is_masked(points):
-        hidden = np.atleast_1d(np.ma.getmaskarray(points))
+        hidden = np.atleast_1d(np.ma.getmaskarray(np.ma.asarray(points)))
         raise CurveError(f"vertex {int(np.argwhere(hidden)[0, 0])} is masked, expected coordinates of every vertex")
     try:
         given = np.asarray(points)

@@ -8,6 +8,9 @@ added.
 Legend: ``i < k < j`` vertices, a pair and its apex; ``left`` and ``right`` places of the pairs (i, k) and (k, j).
 """
 
+from functools import cache
+from math import isqrt
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -15,8 +18,10 @@ from numpy.typing import NDArray
 from tween.geometry.predicates import orient2d_sign
 from tween.triangulating.table_kernels import left_turn
 
-_MOST_PRIMES = 40  # at once
-_MOST_RESIDUES = 2**25  # of all pairs at once, 4 bytes each
+_MOST_PRIMES = 80  # at once
+_MOST_RESIDUES = 2**26  # of all pairs at once, 4 bytes each
+_EXACT = 2.0**53  # whole numbers below are doubles
+_SPAN = 2048  # of numbers among which primes are looked for at once
 _UNIT = 512  # bits: a number is a double within 2**-256 to 2**256, times a power of 2**512
 _LARGE, _SMALL, _DOWN, _UP = 2.0**256, 2.0**-256, 2.0**-512, 2.0**512
 
@@ -38,11 +43,13 @@ def count_exactly(
 
     Notes
     -----
-    In time the number of triples (i, k, j) for every 40 primes of about 27 bits; in memory at most 40 times
-    4 bytes a pair.
+    In time the number of triples (i, k, j) times that of primes, of about 27 bits each; the triples are gone through
+    once for every 80 primes.  In memory at most 80 times 4 bytes a pair, and where that is much, fewer primes at once.
     """
     n = points.shape[1]
     mantissa, exponent = _in_floats(points, first, last, ends)
+    if exponent == 0 and mantissa < _EXACT:  # so are all that were added up to it
+        return int(mantissa)
     needed = 2 * max(1, int(mantissa * 2.0**300)) << max(0, _UNIT * exponent)
     needed = (needed >> 300) + 2
     primes = _primes((64 - n.bit_length()) // 2, needed)
@@ -56,18 +63,24 @@ def count_exactly(
 
 def _primes(bits: int, product: int) -> list[int]:
     """The largest primes below 2**bits whose product exceeds the given one."""
-    small = _sieve(2 ** (bits // 2 + 1))
     primes: list[int] = []
     reached, high = 1, 2**bits
     while reached <= product:
-        candidates = np.arange(high - 1, high - 2048, -2)
-        for p in candidates[(candidates[:, None] % small != 0).all(axis=1)].tolist():
-            primes.append(p)
-            reached *= p
-            if reached > product:
-                break
-        high -= 2048
+        for p in _primes_close_below(high):
+            if reached <= product:
+                primes.append(p)
+                reached *= p
+        high -= _SPAN
     return primes
+
+
+@cache
+def _primes_close_below(high: int) -> list[int]:
+    """The primes below an even number, and not farther from it than the span, descending."""
+    small = _sieve(isqrt(high) + 1)
+    candidates = np.arange(high - 1, high - _SPAN, -2)
+    found: list[int] = candidates[(candidates[:, None] % small != 0).all(axis=1)].tolist()
+    return found
 
 
 def _sieve(limit: int) -> NDArray[np.int64]:
@@ -116,8 +129,12 @@ def _modulo(points, first, last, ends, moduli):
 
 @njit(cache=True)
 def _in_floats(points, first, last, ends):
-    """The same as (mantissa, exponent), in powers of 2**512."""
+    """The same as (mantissa, exponent), in powers of 2**512.
+
+    A sum is brought to size only when it is complete: products stay below 2**512, and n of them below infinity.
+    """
     n = points.shape[1]
+    single, x, y = points.shape[0] == 1, points[0, :, 0].copy(), points[0, :, 1].copy()
     mantissas, exponents = np.empty(len(ends)), np.empty(len(ends), np.int64)
     sums, tops = np.empty(n), np.empty(n, np.int64)
     for i in range(n - 2, -1, -1):
@@ -125,13 +142,16 @@ def _in_floats(points, first, last, ends):
         sums[i + 1] = 1.0
         for left in range(first[i], last[i]):
             k = ends[left]
-            mantissas[left], exponents[left] = _scaled(sums[k], tops[k])
+            mantissa, exponent = _scaled(sums[k], tops[k])
+            mantissas[left], exponents[left] = mantissa, exponent
             for right in range(first[k], last[k]):
                 j = ends[right]
-                if left_turn(points, i, k, j):
-                    product = mantissas[left] * mantissas[right]
-                    term, top = _scaled(product, exponents[left] + exponents[right])
-                    sums[j], tops[j] = _added(sums[j], tops[j], term, top)
+                if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else left_turn(points, i, k, j):
+                    term, top = mantissa * mantissas[right], exponent + exponents[right]
+                    if top == tops[j]:
+                        sums[j] += term
+                    else:
+                        sums[j], tops[j] = _added(sums[j], tops[j], term, top)
     return mantissas[last[0] - 1], exponents[last[0] - 1]
 
 

@@ -13,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.bench_scale import looped_ribbon, smooth
+from experiments.benchmarks.scaling import looped_ribbon, smooth
 from tween import Curve, decompose, gallery, morph, triangulate
 
 _Points = NDArray[np.float64]
@@ -70,14 +70,16 @@ def timed(name: str) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m experiments.bench_hard_curves", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m experiments.benchmarks.hard_curves", description=__doc__.split("\n")[0]
+    )
     parser.add_argument("task", nargs="?", choices=list(TASKS), help="only this one, in this process")
     task = parser.parse_args().task
     if task:
         timed(task)
         return
     for name in TASKS:
-        subprocess.run([sys.executable, "-m", "experiments.bench_hard_curves", name], check=True)
+        subprocess.run([sys.executable, "-m", "experiments.benchmarks.hard_curves", name], check=True)
 
 
 if __name__ == "__main__":
