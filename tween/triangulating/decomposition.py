@@ -10,7 +10,6 @@ Geometry 2 (1992) 31-50.
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from operator import mul
 from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
@@ -84,18 +83,9 @@ class Decomposition:
     def count(self) -> int:
         """Exact number of triangulations, a Python int: Catalan(n-2) for a convex polygon.
 
-        One product of long integers a split, of which there are up to n**3/6; 0 where there is none.
+        0 where there is none.  Up to n**3/6 products, modulo each of as many primes as its size needs.
         """
-        if not self:
-            return 0
-        graph = self._full.graph
-        left, right, first = graph.left.tolist(), graph.right.tolist(), graph.first.tolist()
-        counts = [0] * graph.pairs
-        for pair in range(graph.pairs):
-            low, high = first[pair], first[pair + 1]
-            terms = map(mul, map(counts.__getitem__, left[low:high]), map(counts.__getitem__, right[low:high]))
-            counts[pair] = 1 if low == high else sum(terms)
-        return counts[graph.whole]
+        return self._full.count if self else 0
 
     def arbitrary(self, split: Literal["first", "last"] | None = None) -> Triangulation:
         """Return the first triangulation that the table yields.
