@@ -31,7 +31,7 @@ STUDIES = (
         "studies.to_disk",
         "Table 1: every curve to its disk",
         results=("table_1_to_disk.csv", "table_1_to_disk.json", "table_1_paper.csv"),
-        figures=("table_1_slide", "table_1_linear"),
+        figures=("table_1_slide", "table_1_linear", "table_1_slide_all", "table_1_linear_all"),
         seconds=60,
     ),
     Step(

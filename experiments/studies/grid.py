@@ -12,7 +12,7 @@ paper's four columns from curve to curve (results/grid_pairs.csv), remeshed besi
 computed once for each curve, triangulation, path, pace, n and number of frames, and gives all tolerances; the number
 of frames is varied at one n, and n at 100 frames. Between two curves "own" is a triangulation drawn for each, and
 "common" one that is valid in both; the zigzags of the paper's rows 1 and 3 stay zigzags at every n, so that they stay
-compatible.
+compatible, but for a handful of flips at 192 vertices.
 
 What the law of `.grid_law` needs stands in results/grid_shapes.csv: measures of shape, and for each triangulation the
 height of the rooted dual tree, the number of triangles that slide, and the number of "deep" slides: those that spare a
