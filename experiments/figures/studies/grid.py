@@ -97,8 +97,9 @@ def _plain_ticks(ax: Axes, x: list[float], y: list[float]) -> None:
     "Table 1",
     """What the rank counts. Left: along slide the rank grows like a power of the number of triangles that slide;
     remeshed and arbitrary triangulations follow one law, fitted on one half of the curves. Middle: the factor that
-    the law predicts on the other half, beside the factor found. Right: along linear the height of the rooted tree
-    bounds the rank loosely and predicts little. 96 vertices, 100 frames, pace: time.""",
+    the law predicts on the other half, beside the factor found; marks tell the kinds of curve as in the figure of
+    shapes. Right: along linear the height of the rooted tree bounds the rank loosely and predicts little. 96
+    vertices, 100 frames, pace: time.""",
 )
 def table_1_law() -> Figure:
     rows, shapes = tables()
@@ -141,8 +142,8 @@ def _predictions(ax: Axes, rows: pd.DataFrame, shapes: pd.DataFrame, rank: str, 
     for label, look in LOOKS.items():
         some = shapes.index[shapes.look == label].intersection(found.index)
         ax.scatter(told[some], found[some], zorder=3, **(look | {"label": None}))
-    ax.plot([0.35, 6], [0.35, 6], color="0.7", linewidth=0.8, zorder=0)
-    ax.set(xscale="log", yscale="log", xlim=(0.35, 6), ylim=(0.35, 6))
+    ax.plot([0.3, 6], [0.3, 6], color="0.7", linewidth=0.8, zorder=0)
+    ax.set(xscale="log", yscale="log", xlim=(0.3, 6), ylim=(0.3, 6))
     _plain_ticks(ax, [0.5, 1, 2, 4], [0.5, 1, 2, 4])
 
 
