@@ -17,10 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 from tween.errors import CurveError
 from tween.geometry.curve import Curve, coordinate_fault
 from tween.geometry.halving import halve_longest_edges
-from tween.geometry.pieces import Piece, droppable, tidied
-from tween.geometry.smoothing import Path, smoothed
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.repair.changes import Changes, Dropped
+from tween.triangulating.repair.pieces import Piece, droppable, tidied
+from tween.triangulating.repair.smoothing import Path, smoothed
 
 _SHARES = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)  # of the smoothing asked for, that are tried
 _CLOSE = 0.05  # how near ends have to come, as a share of the size
