@@ -108,6 +108,7 @@ bench: $(STAMP) ## Time tween beside its peers in one process
 	@echo "bench: timing"
 	@$(BIN)/python -m experiments.benchmarks.tasks
 	@$(BIN)/python -m experiments.benchmarks.scaling
+	@$(BIN)/python -m experiments.benchmarks.hard_curves
 
 docs: $(STAMP) ## Build the documentation into .cache/docs
 	@echo "docs: building"

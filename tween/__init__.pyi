@@ -8,10 +8,10 @@ from .errors import TweenError as TweenError
 from .geometry import predicates as predicates
 from .geometry.curve import Curve as Curve
 from .geometry.triangulation import Triangulation as Triangulation
-from .io.read_write import read_curve as read_curve
-from .io.read_write import read_frames as read_frames
-from .io.read_write import write_curve as write_curve
-from .io.read_write import write_frames as write_frames
+from .io.frames import read_frames as read_frames
+from .io.frames import write_frames as write_frames
+from .io.reading import read_curve as read_curve
+from .io.writing import write_curve as write_curve
 from .measuring.certificate import Certificate as Certificate
 from .measuring.certificate import certify as certify
 from .measuring.certificate import verify as verify
@@ -29,9 +29,9 @@ from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation
 from .triangulating import costs as costs
 from .triangulating import flips as flips
-from .triangulating.cleaning import clean as clean
 from .triangulating.compatibility import compatible_shift as compatible_shift
 from .triangulating.decomposition import Decomposition as Decomposition
 from .triangulating.decomposition import decompose as decompose
 from .triangulating.decomposition import triangulate as triangulate
 from .triangulating.flips import remesh as remesh
+from .triangulating.repair.cleaning import clean as clean
