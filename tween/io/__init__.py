@@ -1,5 +1,6 @@
-"""Files: curves and strokes read and written, triangulations and the frames of morphs written."""
+"""Files: curves and strokes read, fitted to each other and written, triangulations and the frames of morphs written."""
 
+from tween.io.fitting import fit
 from tween.io.read_write import (
     read_curve,
     read_curves,
@@ -12,6 +13,7 @@ from tween.io.read_write import (
 )
 
 __all__ = [
+    "fit",
     "read_curve",
     "read_curves",
     "read_frames",

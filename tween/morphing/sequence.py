@@ -237,7 +237,8 @@ def _scheduled(count: int, loop: bool, times: Any, ease: Any, hold: Any) -> _Sch
     end = stops[-1] + (0.0 if loop else hold)
     start, length = reached[0], end - reached[0]
     # Exactly 1 at the end: x / x.
-    return _Schedule(*((x - start) / length for x in (starts, stops, reached)), _eases(ease, legs))
+    starts, stops, reached = ((x - start) / length for x in (starts, stops, reached))
+    return _Schedule(starts, stops, reached, _eases(ease, legs))
 
 
 def _eases(ease: Any, legs: int) -> list[Ease]:

@@ -15,8 +15,8 @@ of the morph.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import asin, isfinite, sin
-from typing import Any
+from math import isfinite
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.colors import is_color_like, to_rgb, to_rgba
@@ -24,15 +24,17 @@ from numpy.typing import NDArray
 
 from tween.choices import SIZES, STYLES, Style
 from tween.colors import EDGE, INK, SOURCE, TARGET
+from tween.easing import AnyEase, as_ease
 from tween.errors import TweenError
 from tween.measuring.playback import playback
 from tween.morphing.morph import Morph
+from tween.morphing.sequence import Sequence
 from tween.plot.shapes import identity_colors
 
 Color = tuple[int, int, int]
 
 OPACITY = 0.45
-"""Of one layer of a disk."""
+"""Of one layer of a disk, unless a colour was chosen for it."""
 
 _TOLERANCE = 2e-3  # of a shape's width, between the shapes of a playback: a pixel of 480
 _MARGIN = 0.04  # of the longer side, on every side
@@ -40,7 +42,9 @@ _MARGIN = 0.04  # of the longer side, on every side
 
 _SLOWEST, _FASTEST = 0.1, 100  # frames a second
 _LONGEST = 30  # seconds of rest; some formats cannot hold a minute
+_WIDEST = 100  # pixels of an outline
 _LIGHT_INK = "0.9"  # on dark backgrounds
+_BARE = ("none", "transparent")
 _BRIGHTNESS = (0.2126, 0.7152, 0.0722)  # of red, green and blue
 
 
@@ -74,6 +78,14 @@ class Film:
         Colour of each shape as a whole: the source's, the target's, and between.
     background, ink, edge : (int, int, int)
         Colours of the canvas, of outlines and of diagonals.
+    opacity : float
+        Of one layer of the disk.
+    line : float
+        Width of the outline in pixels; 0 for none.
+    transparent : bool
+        Whether the canvas shows what lies behind it; its colour then counts for nothing.
+    pictures : int or None
+        How many of the shapes in order of appearance are shown; None for all.
     """
 
     clock: NDArray[np.float64]
@@ -94,17 +106,16 @@ class Film:
     background: Color
     ink: Color
     edge: Color
-
-    @property
-    def line(self) -> float:
-        """Width of an outline in pixels."""
-        return max(1.0, max(self.width, self.height) / 250)
+    opacity: float
+    line: float
+    transparent: bool
+    pictures: int | None
 
     @property
     def numbers(self) -> NDArray[np.int64]:
         """The shapes in order of appearance, shape (j,)."""
         there = np.arange(len(self.times))
-        return np.concatenate([there, there[-2::-1]]) if self.there_and_back else there
+        return np.concatenate([there, there[-2::-1]])[: self.pictures] if self.there_and_back else there
 
     @property
     def seconds(self) -> NDArray[np.float64]:
@@ -120,11 +131,15 @@ def record(
     fps: float = 25,
     size: int | tuple[int, int] = 480,
     style: Style = "triangles",
-    ease: bool = True,
+    ease: AnyEase = True,
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
     verified: bool = False,
+    fill: str | None = None,
+    stroke: str | None = None,
+    width: float | None = None,
+    pictures: int | None = None,
 ) -> Film:
     """Lay out a morph on a canvas, all shapes at one scale.
 
@@ -139,16 +154,24 @@ def record(
         Pixels: of the longer side, the other being as long as the shapes need; or width and height.
     style : {"triangles", "outline", "fill"}
         Triangles coloured by identity, the curve alone, or the disk, the darker the more layers it has.
-    ease : bool
-        Whether the motion starts and ends slowly; otherwise the shapes are evenly spaced in time.
+    ease : str, four float or bool
+        How the motion spends its time, see `tween.easing.as_ease`; true for a slow start and a slow end.
     hold : float
         Seconds for which the source and the target rest, up to 30, besides their turn among the frames.
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
+        Or "transparent".
     verified : bool
         Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
         spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
+    fill, stroke : colour, optional
+        Of the disk and of its outline; "none" for no outline.  A colour of the disk may have an alpha; where layers
+        overlap, it counts again.
+    width : float, optional
+        Of the outline, in pixels.
+    pictures : int, optional
+        How many of the shapes in order of appearance are shown.
 
     Returns
     -------
@@ -168,6 +191,7 @@ def record(
     (10, 19, 200)
     """
     _check_options(m, frames, fps, size, style, hold, background)
+    look = _look(m, style, background, fill, stroke, width)
     clock = np.linspace(0.0, 1.0, frames)
     stage = _Stage(m, ease, size, clock)
     trouble, lists = "", None
@@ -179,8 +203,7 @@ def record(
             trouble = str(error)
     times = stage.eased(clock)
     flips = np.searchsorted([event.time for event in m.events], times, side="right")
-    dark = float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
-    tints = (1 - times[:, None]) * _bytes(SOURCE) + times[:, None] * _bytes(TARGET)
+    share = 1 - np.abs(2 * times - 1) if isinstance(m, Sequence) and m.loop else times
     return Film(
         clock=clock,
         times=times,
@@ -195,27 +218,69 @@ def record(
         width=stage.width,
         height=stage.height,
         style=style,
-        colors=np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.int64),
-        tints=np.rint(tints).astype(np.int64),
-        background=_color(background),
-        ink=_color(_LIGHT_INK if dark else INK),
+        colors=look.colors,
+        tints=np.rint((1 - share[:, None]) * _bytes(look.tints[0]) + share[:, None] * _bytes(look.tints[1])).astype(
+            int
+        ),
+        background=_color("white" if look.transparent else background),
+        ink=_color(look.ink),
         edge=_color(EDGE),
+        opacity=look.opacity,
+        line=max(1.0, max(stage.width, stage.height) / 250) if look.line is None else look.line,
+        transparent=look.transparent,
+        pictures=pictures,
     )
+
+
+class _Look(NamedTuple):
+    """Colours, from those that were chosen."""
+
+    colors: NDArray[np.int64]
+    tints: tuple[str, str]
+    ink: str
+    opacity: float
+    line: float | None
+    transparent: bool
+
+
+def _look(m: Morph, style: str, background: str, fill: Any, stroke: Any, width: Any) -> _Look:
+    for name, value, right, expected in (
+        ("fill", fill, fill is None or _is_color(fill), "a colour such as 'black' or '#00000080'"),
+        (
+            "stroke",
+            stroke,
+            stroke is None or stroke in _BARE or _is_color(stroke),
+            "a colour such as 'black', or 'none'",
+        ),
+        ("width", width, width is None or (_number(width) and 0 < width <= _WIDEST), f"pixels, up to {_WIDEST}"),
+    ):
+        if not right:
+            raise ValueError(f"{name} is {value!r}, expected {expected}")
+    transparent = background in _BARE
+    dark = not transparent and float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
+    ink = stroke if stroke is not None and stroke not in _BARE else _LIGHT_INK if dark else INK
+    chosen = fill if style != "outline" else stroke if stroke not in _BARE else None
+    tints = (chosen, chosen) if chosen is not None else (SOURCE, TARGET)
+    colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.int64)
+    if fill is not None:
+        colors = np.repeat(np.rint(_bytes(fill)).astype(np.int64)[None], len(colors), axis=0)
+    opacity = OPACITY if fill is None else float(to_rgba(fill)[3])
+    return _Look(colors, tints, ink, opacity, 0.0 if stroke in _BARE else width, transparent)
 
 
 class _Stage:
     """A morph by the clock, in pixels with y upwards: below the upper left corner of the canvas y is negative."""
 
-    def __init__(self, m: Morph, ease: bool, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
-        self._m, self._ease = m, ease
+    def __init__(self, m: Morph, ease: AnyEase, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
+        self._m, self._ease = m, as_ease(ease)
         self._placed, self.width, self.height = _on_canvas(m.at(self.eased(clock)), size)
         self.events = [event._replace(time=self._uneased(event.time)) for event in m.events]
 
     def eased(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
-        return s * s * (3 - 2 * s) if self._ease else s
+        return self._ease.at(s)
 
     def _uneased(self, t: float) -> float:
-        return 0.5 - sin(asin(1 - 2 * t) / 3) if self._ease else t
+        return float(self._ease.when(np.array([t]))[0])
 
     def at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
         return self._placed(self._m.at(self.eased(s)))
@@ -240,7 +305,7 @@ def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: A
         ),
         ("style", style, style in STYLES, f"one of {', '.join(STYLES)}"),
         ("hold", hold, _number(hold) and 0 <= hold <= _LONGEST, f"a number of seconds from 0 to {_LONGEST}"),
-        ("background", background, _opaque(background), "a colour such as 'white' or '#fff7e0'"),
+        ("background", background, _opaque(background), "a colour such as 'white' or '#fff7e0', or 'transparent'"),
     ):
         if not right:
             raise ValueError(f"{name} is {value!r}, expected {expected}")
@@ -254,8 +319,12 @@ def _number(value: Any) -> bool:
     return (_whole(value) or isinstance(value, float | np.floating)) and isfinite(value)
 
 
+def _is_color(value: Any) -> bool:
+    return value not in _BARE and is_color_like(value)
+
+
 def _opaque(value: Any) -> bool:
-    return is_color_like(value) and to_rgba(value)[3] == 1
+    return value in _BARE or (is_color_like(value) and to_rgba(value)[3] == 1)
 
 
 def _bytes(color: str) -> NDArray[np.float64]:
