@@ -6,7 +6,7 @@ import pytest
 
 from tween.gallery import random_disk
 from tween.morphing.matching.chords import PIECE, ROUND, STRAIGHT, all_pairs, find_chords, find_splits, straight_lines
-from tween.morphing.matching.levels import Shape
+from tween.morphing.matching.simplify import Shape
 
 
 def parts(n: int, seed: int, candidates: int = 0):

@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 from oracle import turning_number, valid_triangulations
 
+from tween import gallery
+from tween.errors import IncompatibleError
 from tween.measuring.certificate import verify
 from tween.morphing.matching.match import match
+from tween.triangulating.decomposition import decompose
 
 # Exhaustive search: its own code, exact signs, every correspondence written down
 
@@ -127,25 +130,143 @@ def check(a):
     assert ((a.source_vertices >= 0) | (a.target_vertices >= 0)).all()
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_without_candidates_no_correspondence_and_triangulation_has_less_energy(seed):
-    rng = np.random.default_rng(seed)
-    n = 3 + seed % 5
-    p, q = random_curve(rng, n), random_curve(rng, n)
-    least, a = least_energy(p, q, 0), match(p, q, candidates=0)
+def agrees(p, q, candidates):
+    """Whether the match has the least energy of all; both may say that there is none."""
+    least, a = least_energy(p, q, candidates), match(p, q, candidates=candidates)
     assert a.complete == (least < inf)
     if a.complete:
         check(a)
         assert a.exact
         assert a.energy == pytest.approx(least, rel=1e-9)
+    return a.complete
 
 
-@pytest.mark.parametrize("seed", range(8))
-def test_with_candidates_no_insertion_has_less_energy_either(seed):
-    rng = np.random.default_rng(100 + seed)
-    p, q = random_curve(rng, 3 + seed % 2), random_curve(rng, 3 + seed // 2 % 2)
-    least, a = least_energy(p, q, 1), match(p, q, candidates=1)
-    assert a.complete == (least < inf)
-    if a.complete:
+@pytest.mark.parametrize("n", range(3, 8))
+def test_without_candidates_no_correspondence_and_triangulation_has_less_energy(n):
+    rng = np.random.default_rng(1000 + n)
+    assert sum(agrees(random_curve(rng, n), random_curve(rng, n), 0) for _ in range(28)) >= 20
+
+
+@pytest.mark.parametrize("sizes", [(3, 3), (3, 4), (4, 4), (5, 3), (5, 4)])
+def test_with_candidates_no_insertion_has_less_energy_either(sizes):
+    rng = np.random.default_rng(2000 + 10 * sizes[0] + sizes[1])
+    assert sum(agrees(random_curve(rng, sizes[0]), random_curve(rng, sizes[1]), 1) for _ in range(12)) == 12
+
+
+@pytest.mark.parametrize("name", ["arrow", "horseshoe", "spiral_1", "two_disks"])
+@pytest.mark.parametrize("n", [16, 20])
+def test_no_other_disk_of_a_curve_that_bounds_two_matches_better(name, n):
+    two, other = coarse("two_disks", n), coarse(name, n, start=5)
+    assert len(list(decompose(two).immersions())) == 2
+    agrees(two, other, 0)
+
+
+def coarse(name, n, start=0):
+    """A curve of the gallery with n of its vertices and even coordinates."""
+    points = gallery.curve(name).points
+    p = np.roll(2 * np.round(100 * points / np.ptp(points)), -start, axis=0)
+    return p[np.round(np.arange(n) * len(p) / n).astype(int)]
+
+
+# What a match must not depend on
+
+PAIRS = [("arrow", "horseshoe"), ("two_disks", "ess"), ("P", "U"), ("comb", "spiral_2")]
+
+
+def points_of(name):
+    return (gallery.letter(name) if len(name) == 1 else gallery.curve(name)).points
+
+
+@pytest.fixture(params=PAIRS, ids="-".join)
+def pair(request):
+    return [points_of(name) for name in request.param]
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(14)
+
+
+def similar(points, rng):
+    """Moved, turned and scaled, and cut open elsewhere."""
+    z = points @ [1, 1j] * rng.uniform(0.1, 10) * np.exp(1j * rng.uniform(0, 7)) + complex(*rng.normal(size=2))
+    return np.roll(np.stack([z.real, z.imag], axis=1), rng.integers(len(points)), axis=0)
+
+
+def test_the_energy_depends_on_no_start_no_similarity_and_no_order(pair, rng):
+    p, q = pair
+    a = match(p, q)
+    check(a)
+    assert match(q, p).energy == pytest.approx(a.energy, rel=1e-9)
+    assert match(similar(p, rng), q).energy == pytest.approx(a.energy, rel=1e-9)
+    assert match(p, similar(q, rng)).energy == pytest.approx(a.energy, rel=1e-9)
+
+
+def test_the_match_the_other_way_is_the_same_match(pair):
+    p, q = pair
+    a, b = match(p, q), match(q, p)
+    nodes = [set(zip(m.source_arc, m.target_arc, strict=True)) for m in (a, b)]
+    assert nodes[0] == {(y, x) for x, y in nodes[1]}
+
+
+def test_a_curve_and_its_image_have_the_least_energy_and_each_vertex_its_own(pair, rng):
+    for p in pair:
+        start = int(rng.integers(len(p)))
+        z = p @ [1, 1j] * 3 * np.exp(1j * rng.uniform(0, 7))
+        a = match(p, np.roll(np.stack([z.real, z.imag], axis=1), -start, axis=0))
         check(a)
-        assert a.energy == pytest.approx(least, rel=1e-9)
+        assert a.energy == pytest.approx(4, abs=1e-9)
+        assert (a.source_vertices == (a.target_vertices + start) % len(p)).all()
+
+
+@pytest.mark.parametrize("name", ["arrow", "ell", "ess", "R", "g", "spiral_1", "two_disks", "comb"])
+def test_vertices_moved_a_little_find_themselves(name, rng):
+    """Or, where half a turn brings the curve back to itself, each its image under that."""
+    p = points_of(name)
+    gap = np.hypot(*(np.roll(p, -1, axis=0) - p).T).min()
+    start = int(rng.integers(len(p)))
+    q = np.roll(p + rng.normal(scale=0.05 * gap, size=p.shape), -start, axis=0)
+    a = match(p, q)
+    check(a)
+    both = (a.source_vertices >= 0) & (a.target_vertices >= 0)
+    ahead = (a.target_vertices[both] + start - a.source_vertices[both]) % len(p)
+    turned = len(p) // 2 if name in ("ess", "two_disks") else 0
+    assert max(np.sum(ahead == 0), np.sum(ahead == turned)) >= 0.99 * len(p)
+
+
+# Landmarks, triangulations, and what has no common triangulation
+
+
+def test_landmarks_are_kept_and_cost_energy(pair):
+    p, q = pair
+    free = match(p, q)
+    used = np.flatnonzero((free.source_vertices >= 0) & (free.target_vertices >= 0))
+    i, j = free.source_vertices[used[0]], (free.target_vertices[used[0]] + 2) % len(q)
+    try:
+        a = match(p, q, landmarks=[(i, j)])
+    except IncompatibleError as error:
+        assert f"({i}, {j})" in str(error)
+        return
+    check(a)
+    assert (i, j) in set(zip(a.source_vertices, a.target_vertices, strict=True))
+
+
+def test_landmarks_that_the_free_match_has_change_nothing(pair):
+    free = match(*pair)
+    used = np.flatnonzero((free.source_vertices >= 0) & (free.target_vertices >= 0))[::7]
+    landmarks = list(zip(free.source_vertices[used].tolist(), free.target_vertices[used].tolist(), strict=True))
+    a = match(*pair, landmarks=landmarks)
+    check(a)
+    assert set(landmarks) <= set(zip(a.source_vertices, a.target_vertices, strict=True))
+
+
+def test_a_triangulation_says_which_disk_is_meant():
+    curve = gallery.curve("two_disks")
+    disks = decompose(curve).immersions()
+    assert len(disks) == 2
+    for k, T in enumerate(disks):
+        assert match(T, T).energy == pytest.approx(4, abs=1e-9)
+        assert match(T, disks[1 - k]).energy > 4.1
+        a = match(curve, T)
+        assert a.energy == pytest.approx(4, abs=1e-9)
+        assert (a.source_disk, a.target_disk) == (k, 0)

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from tween.gallery import random_disk
-from tween.morphing.matching.levels import Landmarks, Shape
+from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.search import SMALL, even_candidates, search, sizes_of_levels
+from tween.morphing.matching.simplify import Shape
 
 
 @pytest.mark.parametrize(("n", "m"), [(24, 24), (25, 100), (100, 31), (500, 3)])

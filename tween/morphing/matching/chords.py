@@ -123,6 +123,16 @@ class Splits(NamedTuple):
 
 
 @njit(cache=True)
+def boundary(triangles, twin):
+    """The half-edge that leaves each vertex along the curve."""
+    out = np.empty(len(triangles) + 2, np.int64)
+    for h in range(len(twin)):
+        if twin[h] < 0:
+            out[triangles[h // 3, h % 3]] = h
+    return out
+
+
+@njit(cache=True)
 def straight_lines(points):
     """Number the edges of a curve by straight line, edges that continue one another straight on alike."""
     n = len(points)

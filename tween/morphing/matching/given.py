@@ -5,7 +5,7 @@ first in the dictionary.  That is the same vertex for a similar curve that start
 """
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from tween.errors import IncompatibleError, NotSelfOverlappingError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
+from tween.morphing.matching.chords import Positions
+from tween.morphing.matching.kernels import Windows
+from tween.morphing.matching.simplify import Level
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.flips import remesh
 
@@ -106,6 +109,35 @@ def _least_rotation(word: list[int]) -> int:
         j += i == j
         k = 0
     return min(i, j)
+
+
+class Landmarks(NamedTuple):
+    """Vertices that must be matched, in the shapes' own numbers.
+
+    Attributes
+    ----------
+    source, target : ndarray of int64, shape (k,)
+        Vertex i of one belongs to vertex i of the other.
+    """
+
+    source: NDArray[np.int64]
+    target: NDArray[np.int64]
+
+    def restrict(self, windows: Windows, source: Positions, target: Positions, levels: tuple[Level, Level]) -> Windows:
+        """Say which nodes there are: one of the two a vertex, and of landmarks only their own pair."""
+        wide = int(windows.width.max())
+        partner = (windows.low[:, None] + np.arange(wide)) % len(target.arc)
+        allowed = (source.vertex[:, None] >= 0) | (target.vertex[partner] >= 0)
+        allowed &= np.arange(wide) < windows.width[:, None]
+        for i, j in zip(self.source, self.target, strict=True):
+            x, a = (
+                np.flatnonzero(p.vertex == np.searchsorted(level.kept, v))[0]
+                for p, level, v in zip((source, target), levels, (i, j), strict=True)
+            )
+            here = partner == a
+            here[x] = ~here[x]
+            allowed &= ~here
+        return Windows(windows.low, windows.width, allowed)
 
 
 def checked_landmarks(landmarks: Sequence[tuple[int, int]] | None, source: Given, target: Given) -> _Ints:

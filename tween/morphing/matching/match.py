@@ -27,9 +27,10 @@ from tween.errors import IncompatibleError
 from tween.geometry.curve import turning_number
 from tween.geometry.predicates import orient2d
 from tween.geometry.triangulation import Triangulation, canonical
-from tween.morphing.matching.given import Given, checked_landmarks
-from tween.morphing.matching.levels import Correspondence, Landmarks, Shape
+from tween.morphing.matching.given import Given, Landmarks, checked_landmarks
+from tween.morphing.matching.levels import Correspondence
 from tween.morphing.matching.search import Found, search
+from tween.morphing.matching.simplify import Shape
 from tween.morphing.matching.spread import spread
 
 
@@ -158,7 +159,7 @@ def _answered(first: Given, second: Given, pairs: NDArray[np.int64], candidates:
     shapes = [[Shape(T, _mask(rows, len(g))) for T in g.disks] for g, rows in zip(given, pairs.T, strict=True)]
     found = search(shapes[0], shapes[1], Landmarks(*pairs.T), candidates)
     if len(pairs) and not found.complete:
-        _explain_landmarks(given, pairs)
+        found = _without_landmarks(given, pairs, candidates) or found
     chosen = [options[disk] for options, disk in zip(shapes, found.disks, strict=True)]
     c, meshes, complete = _meshes(chosen, found)
     parts, arcs = [], (c.source_arc, c.target_arc)
@@ -212,13 +213,25 @@ def _as_match(answer: _Answer, source: Given) -> Match:
     )
 
 
-def _explain_landmarks(given: tuple[Given, Given], pairs: NDArray[np.int64]) -> None:
-    """Raise with what would work, where the shapes match without the landmarks; say nothing where they do not."""
-    shapes = [[Shape(T, _mask(pairs[:0, 0], len(g))) for T in g.disks] for g in given]
-    free = search(shapes[0], shapes[1], Landmarks(*pairs[:0].T), None)
+def _without_landmarks(given: tuple[Given, Given], pairs: NDArray[np.int64], candidates: int | None) -> Found | None:
+    """What is found without the landmarks, if it has them all the same; where it has not, raise with what would work.
+
+    Landmarks stay at every level, which may leave the coarse ones poor.
+    """
+    none = pairs[:0]
+    shapes = [[Shape(T, _mask(none[:, 0], len(g))) for T in g.disks] for g in given]
+    free = search(shapes[0], shapes[1], Landmarks(*none.T), candidates)
     if not free.complete or free.correspondence is None:
-        return
-    c, told = free.correspondence, []
+        return None
+    c = free.correspondence
+    if set(map(tuple, pairs.tolist())) <= set(zip(c.source_vertices.tolist(), c.target_vertices.tolist(), strict=True)):
+        return free
+    raise IncompatibleError(_what_would_work(given, pairs, c))
+
+
+def _what_would_work(given: tuple[Given, Given], pairs: NDArray[np.int64], c: Correspondence) -> str:
+    """Where the landmarks' vertices go without landmarks."""
+    told = []
     # the shapes may stand exchanged here; messages speak of the source first
     exchanged = given[0].name == "target"
     for pair in pairs:
@@ -227,7 +240,7 @@ def _explain_landmarks(given: tuple[Given, Given], pairs: NDArray[np.int64]) -> 
         told.append(((rows[1], rows[0]) if exchanged else (rows[0], rows[1]), rows[0], near))
     names = ", ".join(str(pair) for pair, _, _ in told)
     works = ", ".join(f"vertex {row} of the {given[0].name} with {near}" for _, row, near in told)
-    raise IncompatibleError(
+    return (
         f"no common triangulation was found that uses the landmarks {names}; without them there is one, which matches "
         f"{works} of the {given[1].name}"
     )

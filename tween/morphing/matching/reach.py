@@ -12,7 +12,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from tween.morphing.matching.simplify import boundary
+from tween.morphing.matching.chords import boundary
 
 _ON_NODE = 1e-12  # of the curve's length
 _FARTHER = 40  # triangles on the way to larger ones

@@ -7,7 +7,9 @@ local minima are followed.  Cheap attempts come first; the first one that reache
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from tween.morphing.matching.levels import Correspondence, Effort, Landmarks, Shape, first_level, next_level
+from tween.morphing.matching.given import Landmarks
+from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
+from tween.morphing.matching.simplify import Shape
 
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
