@@ -32,6 +32,9 @@ TESTED_WITH = {
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
     "morphing/shape_order.py": "morphing/test_guarantee.py",
+    "morphing/keyframes/closing.py": "morphing/keyframes/test_joining.py",
+    "morphing/keyframes/keyframe.py": "morphing/keyframes/test_joining.py",
+    "plot/look.py": "plot/test_film.py",
     "triangulating/changes.py": "triangulating/test_cleaning.py",
     "triangulating/mending.py": "triangulating/test_explanation.py",
 }

@@ -9,6 +9,7 @@ from matplotlib.colors import to_rgb
 
 from tween import Morph, morph, paper_morph, triangulate
 from tween.colors import SOURCE, TARGET
+from tween.easing import as_ease
 from tween.gallery import curve, pair
 from tween.plot.film import Film, record
 from tween.plot.shapes import identity_colors
@@ -126,6 +127,12 @@ def test_outlines_are_light_on_dark_backgrounds(plain: Morph) -> None:
         ("background", "whitish", "a colour such as"),
         ("background", "none", "a colour such as"),
         ("background", "#ff000080", "a colour such as"),
+        ("fill", "reddish", "a colour such as"),
+        ("fill", "none", "a colour such as"),
+        ("stroke", 3, "a colour such as"),
+        ("width", 0, "pixels, up to 100"),
+        ("width", "thick", "pixels, up to 100"),
+        ("ease", "bounce", "linear, smooth"),
     ],
 )
 def test_an_option_that_is_none_is_named_with_what_was_expected(
@@ -143,3 +150,23 @@ def test_only_a_morph_has_a_film(plain: Morph) -> None:
 def test_one_triangle_is_enough() -> None:
     shown: Film = record(morph([[0, 0], [4, 0], [0, 3]], [[0, 0], [1, 0], [1, 1]]), frames=3, size=64)
     assert shown.shapes.shape == (3, 3, 2) and shown.triangles.shape == (3, 1, 3)
+
+
+def test_colours_that_are_chosen_are_those_of_the_disk_and_its_outline(plain: Morph) -> None:
+    shown = record(plain, frames=3, style="fill", fill="#10203080", stroke="red", width=7)
+    assert (shown.tints == [0x10, 0x20, 0x30]).all() and (shown.colors == [0x10, 0x20, 0x30]).all()
+    assert (shown.ink, shown.line, shown.opacity) == ((255, 0, 0), 7, 128 / 255)
+    assert record(plain, frames=3, fill="black").opacity == 1
+    assert record(plain, frames=3, stroke="none").line == 0
+    assert (record(plain, frames=3, style="outline", stroke="red").tints == [255, 0, 0]).all()
+
+
+def test_an_ease_of_css_says_when_shapes_are_shown(plain: Morph) -> None:
+    shown = record(plain, frames=11, ease="cubic-bezier(0.42, 0, 1, 1)")
+    np.testing.assert_allclose(shown.times, as_ease("ease-in").at(np.linspace(0, 1, 11)))
+
+
+def test_flips_come_when_they_do_by_any_clock(flipping: Morph) -> None:
+    shown = record(flipping, frames=30, ease="ease")
+    for t, triangles in zip(shown.times, shown.triangles, strict=True):
+        assert (np.sort(triangles, axis=1) == np.sort(flipping.triangles_at(float(t)), axis=1)).all()

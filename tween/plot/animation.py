@@ -130,7 +130,7 @@ def save_animation(
     """
     check_format(path, fps)
     suffix, loose = Path(path).suffix.lower(), isinstance(m, Sequence)
-    if suffix == ".mp4" and background in ("transparent", "none"):
+    if suffix == ".mp4" and background == "transparent":
         raise FileError(f"{os.fspath(path)}: an .mp4 has no transparent background; .webp, .png and .gif do")
     back = not loose if there_and_back is None else there_and_back
     pictures = _count(m, frames, back)

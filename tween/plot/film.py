@@ -15,37 +15,21 @@ of the morph.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import isfinite
-from typing import Any, NamedTuple
 
 import numpy as np
-from matplotlib.colors import is_color_like, to_rgb, to_rgba
 from numpy.typing import NDArray
 
-from tween.choices import SIZES, STYLES, Style
-from tween.colors import EDGE, INK, SOURCE, TARGET
+from tween.choices import Style
+from tween.colors import EDGE
 from tween.easing import AnyEase, as_ease
 from tween.errors import TweenError
 from tween.measuring.playback import playback
 from tween.morphing.morph import Morph
 from tween.morphing.sequence import Sequence
-from tween.plot.shapes import identity_colors
-
-Color = tuple[int, int, int]
-
-OPACITY = 0.45
-"""Of one layer of a disk, unless a colour was chosen for it."""
+from tween.plot.look import Color, check_options, color, look
 
 _TOLERANCE = 2e-3  # of a shape's width, between the shapes of a playback: a pixel of 480
 _MARGIN = 0.04  # of the longer side, on every side
-"""Pixels of a side, least and most."""
-
-_SLOWEST, _FASTEST = 0.1, 100  # frames a second
-_LONGEST = 30  # seconds of rest; some formats cannot hold a minute
-_WIDEST = 100  # pixels of an outline
-_LIGHT_INK = "0.9"  # on dark backgrounds
-_BARE = ("none", "transparent")
-_BRIGHTNESS = (0.2126, 0.7152, 0.0722)  # of red, green and blue
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,8 +174,8 @@ def record(
     >>> len(shown.times), len(shown.numbers), max(shown.width, shown.height)
     (10, 19, 200)
     """
-    _check_options(m, frames, fps, size, style, hold, background)
-    look = _look(m, style, background, fill, stroke, width)
+    check_options(m, frames, fps, size, style, hold, background)
+    chosen = look(m.source, style, background, fill, stroke, width)
     clock = np.linspace(0.0, 1.0, frames)
     stage = _Stage(m, ease, size, clock)
     trouble, lists = "", None
@@ -218,54 +202,16 @@ def record(
         width=stage.width,
         height=stage.height,
         style=style,
-        colors=look.colors,
-        tints=np.rint((1 - share[:, None]) * _bytes(look.tints[0]) + share[:, None] * _bytes(look.tints[1])).astype(
-            int
-        ),
-        background=_color("white" if look.transparent else background),
-        ink=_color(look.ink),
-        edge=_color(EDGE),
-        opacity=look.opacity,
-        line=max(1.0, max(stage.width, stage.height) / 250) if look.line is None else look.line,
-        transparent=look.transparent,
+        colors=chosen.colors,
+        tints=chosen.tints(share),
+        background=chosen.background,
+        ink=chosen.ink,
+        edge=color(EDGE),
+        opacity=chosen.opacity,
+        line=max(1.0, max(stage.width, stage.height) / 250) if chosen.line is None else chosen.line,
+        transparent=chosen.transparent,
         pictures=pictures,
     )
-
-
-class _Look(NamedTuple):
-    """Colours, from those that were chosen."""
-
-    colors: NDArray[np.int64]
-    tints: tuple[str, str]
-    ink: str
-    opacity: float
-    line: float | None
-    transparent: bool
-
-
-def _look(m: Morph, style: str, background: str, fill: Any, stroke: Any, width: Any) -> _Look:
-    for name, value, right, expected in (
-        ("fill", fill, fill is None or _is_color(fill), "a colour such as 'black' or '#00000080'"),
-        (
-            "stroke",
-            stroke,
-            stroke is None or stroke in _BARE or _is_color(stroke),
-            "a colour such as 'black', or 'none'",
-        ),
-        ("width", width, width is None or (_number(width) and 0 < width <= _WIDEST), f"pixels, up to {_WIDEST}"),
-    ):
-        if not right:
-            raise ValueError(f"{name} is {value!r}, expected {expected}")
-    transparent = background in _BARE
-    dark = not transparent and float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
-    ink = stroke if stroke is not None and stroke not in _BARE else _LIGHT_INK if dark else INK
-    chosen = fill if style != "outline" else stroke if stroke not in _BARE else None
-    tints = (chosen, chosen) if chosen is not None else (SOURCE, TARGET)
-    colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.int64)
-    if fill is not None:
-        colors = np.repeat(np.rint(_bytes(fill)).astype(np.int64)[None], len(colors), axis=0)
-    opacity = OPACITY if fill is None else float(to_rgba(fill)[3])
-    return _Look(colors, tints, ink, opacity, 0.0 if stroke in _BARE else width, transparent)
 
 
 class _Stage:
@@ -287,53 +233,6 @@ class _Stage:
 
     def triangles_at(self, s: float) -> NDArray[np.int64]:
         return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
-
-
-def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:
-    """Name the option that is none, and what was expected."""
-    low, high = SIZES
-    sides = size if isinstance(size, tuple | list) and len(size) == 2 else (size,)
-    for name, value, right, expected in (
-        ("m", type(m), isinstance(m, Morph), "a Morph, as tween.morph makes"),
-        ("frames", frames, _whole(frames) and frames >= 2, "a whole number, at least 2: the source and the target"),
-        ("fps", fps, _number(fps) and _SLOWEST <= fps <= _FASTEST, f"a number from {_SLOWEST} to {_FASTEST}"),
-        (
-            "size",
-            size,
-            all(_whole(side) and low <= side <= high for side in sides),
-            f"a whole number of pixels from {low} to {high}, or two of them",
-        ),
-        ("style", style, style in STYLES, f"one of {', '.join(STYLES)}"),
-        ("hold", hold, _number(hold) and 0 <= hold <= _LONGEST, f"a number of seconds from 0 to {_LONGEST}"),
-        ("background", background, _opaque(background), "a colour such as 'white' or '#fff7e0', or 'transparent'"),
-    ):
-        if not right:
-            raise ValueError(f"{name} is {value!r}, expected {expected}")
-
-
-def _whole(value: Any) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
-
-
-def _number(value: Any) -> bool:
-    return (_whole(value) or isinstance(value, float | np.floating)) and isfinite(value)
-
-
-def _is_color(value: Any) -> bool:
-    return value not in _BARE and is_color_like(value)
-
-
-def _opaque(value: Any) -> bool:
-    return value in _BARE or (is_color_like(value) and to_rgba(value)[3] == 1)
-
-
-def _bytes(color: str) -> NDArray[np.float64]:
-    return 255 * np.array(to_rgb(color))
-
-
-def _color(color: str) -> Color:
-    red, green, blue = np.rint(_bytes(color)).astype(int).tolist()
-    return red, green, blue
 
 
 def _on_canvas(

@@ -13,7 +13,8 @@ from numba import njit
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from tween.plot.film import Color, Film
+from tween.plot.film import Film
+from tween.plot.look import Color
 
 _FINE, _FINEST = 2, 4  # samples of a pixel's side, of areas and of lines
 _MOST_LAYERS = 16  # told apart
