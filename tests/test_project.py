@@ -35,6 +35,7 @@ TESTED_WITH = {
     "morphing/keyframes/closing.py": "morphing/keyframes/test_joining.py",
     "morphing/keyframes/keyframe.py": "morphing/keyframes/test_joining.py",
     "plot/look.py": "plot/test_film.py",
+    "plot/video.py": "plot/test_animation.py",
     "triangulating/changes.py": "triangulating/test_cleaning.py",
     "triangulating/mending.py": "triangulating/test_explanation.py",
 }

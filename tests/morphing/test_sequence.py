@@ -214,7 +214,7 @@ def test_every_leg_has_its_ease() -> None:
     ("options", "message"),
     [
         ({"keyframes": [SQUARE]}, "there is 1 keyframe, expected at least 2"),
-        ({"keyframes": []}, "there is 0 keyframe|there are no keyframes"),
+        ({"keyframes": []}, "there are 0 keyframes, expected at least 2"),
         ({"times": [0, 1]}, "times are .*, expected 3 rising numbers"),
         ({"times": [0, 2, 1]}, "times are .*, expected 3 rising numbers"),
         ({"times": [0, 1, 2], "loop": True}, "expected 4 rising numbers, the last one for the first keyframe again"),
@@ -254,7 +254,7 @@ def test_a_keyframe_that_bounds_no_disk_is_named_with_the_reason_and_its_file() 
     with pytest.raises(NotSelfOverlappingError, match=r"^keyframe 7 \(7\.svg\) bounds no immersed disk: "):
         sequence(shapes, names=[f"{i}.svg" for i in range(8)])
     shapes[7] = [[0, 0], [1, 0], [1, 0], [0, 1]]
-    with pytest.raises(CurveError, match="^keyframe 7: edge 1-2 has zero length"):
+    with pytest.raises(CurveError, match=r"^keyframe 7: edge 1-2 has zero length"):
         sequence(shapes)
 
 

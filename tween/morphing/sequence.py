@@ -148,9 +148,8 @@ def sequence(
     shapes = _without_return(list(keyframes), loop)
     called = _called(len(shapes), names)
     if len(shapes) < 2:
-        raise ValueError(
-            f"there is {len(shapes)} keyframe, expected at least 2; tween.triangulate takes a single shape"
-        )
+        found = "is 1 keyframe" if len(shapes) == 1 else "are 0 keyframes"
+        raise ValueError(f"there {found}, expected at least 2; tween.triangulate takes a single shape")
     schedule = _scheduled(len(shapes), loop, times, ease, hold)
     frames = [Keyframe(shape, name) for shape, name in zip(shapes, called, strict=True)]
     joined = join(frames, loop, _checked_landmarks(landmarks, frames))

@@ -11,15 +11,10 @@ The suffix decides which kind of file:
     .html        a page with a player: pause, and look at any time
 """
 
-import importlib
 import io
 import os
 import re
-import shutil
-import subprocess
-import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any, Literal
@@ -33,7 +28,7 @@ from tween.errors import FileError
 from tween.io import whole_files
 from tween.morphing.morph import Morph
 from tween.morphing.sequence import Sequence
-from tween.plot import moving_svg
+from tween.plot import moving_svg, video
 from tween.plot.film import Film, record
 from tween.plot.pixels import picture
 
@@ -231,7 +226,7 @@ def check_format(path: str | os.PathLike[str], fps: float) -> None:
         if suffix == ".gif" and fps > _GIF_FASTEST:
             raise FileError(f"fps is {fps:g}, expected at most {_GIF_FASTEST} in a GIF")
         if suffix == ".mp4":
-            _ffmpeg()
+            video.ffmpeg()
         places = _NUMBER.findall(Path(path).name)
         if places and (suffix != ".png" or len(places) > 1 or Path(path).name.count("%") > 1):
             raise FileError("expected one place for a number, such as %04d, and that in the name of a .png")
@@ -306,55 +301,8 @@ def _webp(shown: Film) -> bytes:
     return _encoded(shown, _pictures(shown), 1, format="WEBP", quality=80, method=2)
 
 
-# Video, by ffmpeg
-
-
 def _mp4(shown: Film) -> bytes:
-    program = _ffmpeg()
-    with tempfile.TemporaryDirectory() as folder:
-        video = Path(folder) / "video.mp4"
-        command = [program, *_ffmpeg_options(shown), str(video)]
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
-            assert run.stdin
-            with suppress(BrokenPipeError):  # ffmpeg gave up; it says why
-                for frame in _raw_frames(shown):
-                    run.stdin.write(frame)
-            _, complaint = run.communicate()
-        if run.returncode or not video.exists():
-            raise FileError(f"ffmpeg could not make the video: {complaint.decode(errors='replace').strip()}")
-        return video.read_bytes()
-
-
-def _ffmpeg_options(shown: Film) -> list[str]:
-    """A side of odd length is padded; what would make the bytes differ from run to run is left out."""
-    background = "0x" + bytes(shown.background).hex()
-    return (
-        f"-loglevel error -f rawvideo -pixel_format rgb24 -video_size {shown.width}x{shown.height}"
-        f" -framerate {shown.fps:g} -i - -vf pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:{background} -pix_fmt yuv420p"
-        " -threads 1 -fflags +bitexact -flags:v +bitexact -map_metadata -1 -movflags +faststart -f mp4"
-    ).split()
-
-
-def _raw_frames(shown: Film) -> Iterator[bytes]:
-    """The frames one after the other, those that rest again and again."""
-    raw = [image.tobytes() for image in _pictures(shown)]
-    counts = np.diff(np.rint(np.cumsum(shown.seconds) * shown.fps).astype(int), prepend=0)
-    for k, count in zip(shown.numbers, counts.tolist(), strict=True):
-        for _ in range(count):
-            yield raw[k]
-
-
-def _ffmpeg() -> str:
-    """The program, on the path or from the package imageio-ffmpeg."""
-    found = shutil.which("ffmpeg")
-    if found:
-        return found
-    with suppress(ImportError, RuntimeError):
-        return str(importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe())
-    raise FileError(
-        "an .mp4 needs the program ffmpeg, and there is none: install it, or the package imageio-ffmpeg, "
-        "or choose .webp or .gif"
-    )
+    return video.mp4(shown, _pictures(shown))
 
 
 def _encoders(colors: int = 256) -> dict[str, Callable[[Film], str | bytes]]:

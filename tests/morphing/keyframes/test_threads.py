@@ -1,5 +1,7 @@
 """Threads: every node of every bridge is on one, in one order on all keyframes."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -21,7 +23,7 @@ def polygons(count: int, seed: int) -> list[Keyframe]:
 
 
 def threaded(frames: list[Keyframe], merge: float) -> tuple[Threads, list]:
-    bridges = [bridged(match(a.disks[0], b.disks[0]), a, b) for a, b in zip(frames[:-1], frames[1:], strict=True)]
+    bridges = [bridged(match(a.disks[0], b.disks[0]), a, b) for a, b in pairwise(frames)]
     return thread(frames, bridges, merge), bridges
 
 
