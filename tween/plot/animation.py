@@ -114,6 +114,7 @@ def save_animation(
 
     Examples
     --------
+    >>> import tempfile
     >>> from tween import gallery, morph, triangulate
     >>> T = triangulate(gallery.curve("ess"))
     >>> m = morph(T, T.on_disk())

@@ -60,5 +60,5 @@ def test_a_loop_without_a_common_triangulation_is_closed_by_flips(monkeypatch: p
 def test_the_leg_that_closes_a_loop_is_the_one_where_it_costs_least() -> None:
     keyframes = frames_of("ell", "arrow", "horseshoe")
     matcher = joining.Matcher(keyframes, ())
-    every = [joining._closed_on(matcher, [0, 0, 0], leg, joining.MERGE).energy for leg in range(3)]
+    every = [joining._closed_on(matcher, [0, 0, 0], leg, joining.MERGE, {}).energy for leg in range(3)]
     assert join(keyframes, True).energy == min(every) < max(every)

@@ -56,12 +56,35 @@ def closed(
     ends = len(threads.keyframes) - 1, 0
     places = threads.places[:, ends]
     nodes = np.flatnonzero((places == np.floor(places)).any(axis=1))
-    points = [threads.points[nodes, i] for i in ends]
     own = [_own(threads, i, T, nodes) for i, T in zip(ends, disks, strict=True)]
     shared = _shared(own, alone)
     first, last = (shared, shared) if shared is not None else (own[0].triangles, own[1].triangles)
-    least = energy(*(Triangulation(p, shared) for p in points)) if shared is not None else np.inf
-    return Bridge(places[nodes, 0], places[nodes, 1], points[0], points[1], first, last, least), nodes
+    least = energy(*(Triangulation(T.points, shared) for T in own)) if shared is not None else np.inf
+    return Bridge(places[nodes, 0], places[nodes, 1], own[0].points, own[1].points, first, last, least), nodes
+
+
+def turning_pairs(closing: Bridge, counts: tuple[int, int]) -> _Ints:
+    """Pairs of vertices that correspond more or less, about opposite to each other, where a loop is to close.
+
+    Parameters
+    ----------
+    closing : Bridge
+        Where a loop could not be closed by a common triangulation.
+    counts : (int, int)
+        Vertices of its keyframes.
+
+    Returns
+    -------
+    ndarray of int, shape (2, 2)
+        Vertices of the source and of the target.
+    """
+    places = np.stack([closing.source, closing.target], axis=1)
+    vertices = np.rint(places)
+    off = np.abs(places - vertices).sum(axis=1)
+    m, first = len(off), int(np.argmin(off))
+    opposite = (first + np.arange(m // 3, 2 * m // 3 + 1)) % m
+    second = int(opposite[np.argmin(off[opposite])])
+    return np.asarray(vertices[[first, second]].astype(np.int64) % np.array(counts))
 
 
 def _own(threads: Threads, i: int, T: Triangulation, nodes: _Ints) -> Triangulation:

@@ -1,10 +1,12 @@
 """Joining keyframes: matched each with the next, threaded, and for a loop closed; triangles for every leg."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.keyframes.closing import closed
+from tween.morphing.keyframes.closing import closed, turning_pairs
 from tween.morphing.keyframes.keyframe import Bridge, Keyframe, Matcher, choose_disks
 from tween.morphing.keyframes.subdivision import subdivided
 from tween.morphing.keyframes.threads import MERGE, Threads, thread
@@ -79,17 +81,31 @@ def _line(matcher: Matcher, disks: Sequence[int], merge: float) -> Joined:
 
 
 def _round(matcher: Matcher, disks: Sequence[int], merge: float) -> Joined:
-    """Close the loop on the leg where that leaves the least energy in all."""
+    """Close the loop on the leg where that leaves the least energy in all.
+
+    Where no leg can be closed, the matches turn the shapes around as a whole.  Then one leg after the other is matched
+    anew, so that some of its vertices come to where the other legs lead them.
+    """
     k = len(matcher.keyframes)
     legs = [k - 1] if k == 2 else [k - 1 - j for j in range(min(k, _MOST_CLOSINGS))]
-    return min((_closed_on(matcher, disks, leg, merge) for leg in legs), key=lambda joined: joined.energy)
+    tried = {leg: _closed_on(matcher, disks, leg, merge, {}) for leg in legs}
+    best = min(tried.values(), key=lambda joined: joined.energy)
+    if np.isfinite(best.energy) or not matcher.free:
+        return best
+    for leg, joined in tried.items():
+        counts = len(matcher.keyframes[leg]), len(matcher.keyframes[(leg + 1) % k])
+        turned = matcher.turned(leg, disks, turning_pairs(joined.bridges[leg], counts))
+        if turned is not None:
+            others = [_closed_on(matcher, disks, other, merge, {leg: turned}) for other in legs if other != leg]
+            best = min(best, *others, key=lambda joined: joined.energy)
+    return best
 
 
-def _closed_on(matcher: Matcher, disks: Sequence[int], leg: int, merge: float) -> Joined:
-    """Match all legs but one, which closes the loop."""
+def _closed_on(matcher: Matcher, disks: Sequence[int], leg: int, merge: float, anew: Mapping[int, Bridge]) -> Joined:
+    """Close the loop on one leg; the others are matched, unless they have been anew."""
     k = len(matcher.keyframes)
     order = [(leg + 1 + j) % k for j in range(k)]
-    bridges = [matcher.bridge(i, disks) for i in order[:-1]]
+    bridges = [anew.get(i) or matcher.bridge(i, disks) for i in order[:-1]]
     threads = thread([matcher.keyframes[i] for i in order], bridges, merge)
     if k == 2:
         bridges.append(bridges[0].reversed())

@@ -7,6 +7,7 @@ A `Bridge` is what a match gives between two keyframes: *nodes*, each a place on
 """
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -14,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.errors import CurveError, NotSelfOverlappingError
+from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.matching.given import MOST_DISKS
@@ -166,10 +167,16 @@ class Matcher:
     keyframes : list of Keyframe
     landmarks : sequence of sequence of int
         Rows that have to correspond, one of each keyframe.
+
+    Attributes
+    ----------
+    keyframes : list of Keyframe
+    free : bool
+        Whether there are no landmarks.
     """
 
     def __init__(self, keyframes: list[Keyframe], landmarks: Sequence[Sequence[int]]) -> None:
-        self.keyframes = keyframes
+        self.keyframes, self.free = keyframes, not len(landmarks)
         self._pairs = [[k.vertex(row[i]) for row in landmarks] for i, k in enumerate(keyframes)]
         self._found: dict[tuple[int, int, int], Match] = {}
 
@@ -188,6 +195,17 @@ class Matcher:
         after = (leg + 1) % len(self.keyframes)
         found = self.match(leg, (disks[leg], disks[after]))
         return bridged(found, self.keyframes[leg], self.keyframes[after])
+
+    def turned(self, leg: int, disks: Sequence[int], pairs: _Ints) -> Bridge | None:
+        """The match that has some vertices correspond, all of them or the first; None where there is none."""
+        after = (leg + 1) % len(self.keyframes)
+        source, target = self.keyframes[leg], self.keyframes[after]
+        for few in (pairs, pairs[:1]):
+            with suppress(IncompatibleError):
+                found = match(source.disks[disks[leg]], target.disks[disks[after]], few.tolist())
+                if found.complete:
+                    return bridged(found, source, target)
+        return None
 
     def energy(self, leg: int, disks: tuple[int, int]) -> float:
         """The energy of a match, and much more where it is not complete."""
