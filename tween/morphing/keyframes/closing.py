@@ -63,30 +63,6 @@ def closed(
     return Bridge(places[nodes, 0], places[nodes, 1], own[0].points, own[1].points, first, last, least), nodes
 
 
-def turning_pairs(closing: Bridge, counts: tuple[int, int]) -> _Ints:
-    """Pairs of vertices that correspond more or less, about opposite to each other, where a loop is to close.
-
-    Parameters
-    ----------
-    closing : Bridge
-        Where a loop could not be closed by a common triangulation.
-    counts : (int, int)
-        Vertices of its keyframes.
-
-    Returns
-    -------
-    ndarray of int, shape (2, 2)
-        Vertices of the source and of the target.
-    """
-    places = np.stack([closing.source, closing.target], axis=1)
-    vertices = np.rint(places)
-    off = np.abs(places - vertices).sum(axis=1)
-    m, first = len(off), int(np.argmin(off))
-    opposite = (first + np.arange(m // 3, 2 * m // 3 + 1)) % m
-    second = int(opposite[np.argmin(off[opposite])])
-    return np.asarray(vertices[[first, second]].astype(np.int64) % np.array(counts))
-
-
 def _own(threads: Threads, i: int, T: Triangulation, nodes: _Ints) -> Triangulation:
     """The disk of a keyframe with the nodes on its edges."""
     place = threads.places[nodes, i] % len(T)

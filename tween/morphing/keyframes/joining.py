@@ -1,12 +1,13 @@
 """Joining keyframes: matched each with the next, threaded, and for a loop closed; triangles for every leg."""
 
+import itertools
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.keyframes.closing import closed, turning_pairs
+from tween.morphing.keyframes.closing import closed
 from tween.morphing.keyframes.keyframe import Bridge, Keyframe, Matcher, choose_disks
 from tween.morphing.keyframes.subdivision import subdivided
 from tween.morphing.keyframes.threads import MERGE, Threads, thread
@@ -14,6 +15,8 @@ from tween.morphing.matching.match import is_valid
 
 _MOST_CLOSINGS = 8
 """Legs that are tried for closing a loop, the last one first."""
+
+_PAIRS = (2, 8, 24)  # places where a leg is matched anew, one number after the other
 
 
 class Joined(NamedTuple):
@@ -83,22 +86,27 @@ def _line(matcher: Matcher, disks: Sequence[int], merge: float) -> Joined:
 def _round(matcher: Matcher, disks: Sequence[int], merge: float) -> Joined:
     """Close the loop on the leg where that leaves the least energy in all.
 
-    Where no leg can be closed, the matches turn the shapes around as a whole.  Then one leg after the other is matched
-    anew, so that some of its vertices come to where the other legs lead them.
+    Where no leg can be closed, the legs together shift the shapes too much.  Then one leg after the other is matched
+    anew, so that some places come to where the other legs lead them, until another leg can be closed.
     """
     k = len(matcher.keyframes)
     legs = [k - 1] if k == 2 else [k - 1 - j for j in range(min(k, _MOST_CLOSINGS))]
     tried = {leg: _closed_on(matcher, disks, leg, merge, {}) for leg in legs}
-    best = min(tried.values(), key=lambda joined: joined.energy)
-    if np.isfinite(best.energy) or not matcher.free:
-        return best
-    for leg, joined in tried.items():
-        counts = len(matcher.keyframes[leg]), len(matcher.keyframes[(leg + 1) % k])
-        turned = matcher.turned(leg, disks, turning_pairs(joined.bridges[leg], counts))
-        if turned is not None:
-            others = [_closed_on(matcher, disks, other, merge, {leg: turned}) for other in legs if other != leg]
-            best = min(best, *others, key=lambda joined: joined.energy)
+    best = min(tried.values(), key=_energy)
+    for most, (leg, joined) in itertools.product(_PAIRS, tried.items()):
+        if np.isfinite(best.energy) or not matcher.free:
+            break
+        closing = joined.bridges[leg]
+        few = np.arange(most) * len(closing.source) // most
+        anew = matcher.anew(leg, disks, closing.source[few], closing.target[few])
+        if anew is not None:
+            others = [_closed_on(matcher, disks, other, merge, {leg: anew}) for other in legs if other != leg]
+            best = min(best, *others, key=_energy)
     return best
+
+
+def _energy(joined: Joined) -> float:
+    return joined.energy
 
 
 def _closed_on(matcher: Matcher, disks: Sequence[int], leg: int, merge: float, anew: Mapping[int, Bridge]) -> Joined:

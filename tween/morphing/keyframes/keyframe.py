@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.errors import CurveError, IncompatibleError, NotSelfOverlappingError
+from tween.errors import CurveError, NotSelfOverlappingError, TweenError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
+from tween.morphing.keyframes.subdivision import subdivided
 from tween.morphing.matching.given import MOST_DISKS
 from tween.morphing.matching.match import Match, match
 from tween.triangulating.decomposition import decompose
@@ -78,6 +79,16 @@ class Keyframe:
         found = np.flatnonzero(self.rows == row)
         return int(found[0]) if len(found) else -1
 
+    def with_vertices(self, disk: int, places: _Floats) -> tuple[Triangulation, _Ints, _Ints]:
+        """A disk with vertices at some places, too; which vertex each of its vertices was; and the vertices there."""
+        n = len(self)
+        every = np.unique(np.concatenate([np.arange(n), places % n]))
+        vertices = np.searchsorted(every, np.arange(n))
+        triangles = subdivided(self.disks[disk].triangles, vertices, len(every))
+        own = np.full(len(every), -1)
+        own[vertices] = np.arange(n)
+        return Triangulation(self.at(every), triangles), own, np.searchsorted(every, places % n)
+
     def at(self, places: _Floats) -> _Floats:
         """The points at places, those of vertices exactly; shape (k, 2)."""
         vertex = np.floor(places)
@@ -134,9 +145,15 @@ def bridged(found: Match, source: Keyframe, target: Keyframe) -> Bridge:
     -------
     Bridge
     """
+    return _bridged(found, found.source_vertices, found.target_vertices, source, target)
+
+
+def _bridged(
+    found: Match, source_vertices: _Ints, target_vertices: _Ints, source: Keyframe, target: Keyframe
+) -> Bridge:
     return Bridge(
-        _places(found.source_vertices, found.source.points, source),
-        _places(found.target_vertices, found.target.points, target),
+        _places(source_vertices, found.source.points, source),
+        _places(target_vertices, found.target.points, target),
         found.source.points,
         found.target.points,
         found.source.triangles,
@@ -196,15 +213,20 @@ class Matcher:
         found = self.match(leg, (disks[leg], disks[after]))
         return bridged(found, self.keyframes[leg], self.keyframes[after])
 
-    def turned(self, leg: int, disks: Sequence[int], pairs: _Ints) -> Bridge | None:
-        """The match that has some vertices correspond, all of them or the first; None where there is none."""
+    def anew(self, leg: int, disks: Sequence[int], source: _Floats, target: _Floats) -> Bridge | None:
+        """The match that has places on one keyframe correspond to places on the next; None where there is none."""
         after = (leg + 1) % len(self.keyframes)
-        source, target = self.keyframes[leg], self.keyframes[after]
-        for few in (pairs, pairs[:1]):
-            with suppress(IncompatibleError):
-                found = match(source.disks[disks[leg]], target.disks[disks[after]], few.tolist())
-                if found.complete:
-                    return bridged(found, source, target)
+        ends = [(self.keyframes[leg], disks[leg], source), (self.keyframes[after], disks[after], target)]
+        with suppress(TweenError):
+            grown = [keyframe.with_vertices(disk, places) for keyframe, disk, places in ends]
+            pairs = np.stack([vertices for _, _, vertices in grown], axis=1)
+            found = match(grown[0][0], grown[1][0], pairs.tolist())
+            if found.complete:
+                first, last = (
+                    np.where(vertices < 0, -1, own[vertices])
+                    for (_, own, _), vertices in zip(grown, (found.source_vertices, found.target_vertices), strict=True)
+                )
+                return _bridged(found, first, last, ends[0][0], ends[1][0])
         return None
 
     def energy(self, leg: int, disks: tuple[int, int]) -> float:
