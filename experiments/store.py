@@ -4,20 +4,29 @@ import hashlib
 import json
 import os
 import shutil
+import sys
+import time
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 import pandas as pd
 from joblib import Parallel, delayed
 from tqdm import tqdm
 
+if sys.platform == "win32":
+    import msvcrt
+else:
+    import fcntl
+
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "results"
 FIGURES = RESULTS / "figures"
+
+_BEYOND_THE_TEXT = 2**20  # the byte that is locked on Windows, where nobody can read what is locked
 
 
 @contextmanager
@@ -60,6 +69,42 @@ def rng_for(seed: int, name: str) -> np.random.Generator:
     return np.random.default_rng([seed, zlib.crc32(name.encode())])
 
 
+@contextmanager
+def alone(study: str) -> Iterator[None]:
+    """Hold a study's lock; where another run holds it, say so and wait until that run is done or has died.
+
+    The system lets go of the lock of a process that ends, however it ends, so none is ever stale.  The file tells
+    the holder's number; it stays, as removing it would let a third run lock another file of the same name.
+    """
+    path = ROOT / ".cache" / "studies" / f"{study}.lock"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "a+", encoding="utf-8") as file:
+        if not _lock(file, wait=False):
+            file.seek(0)
+            print(f"{study}: process {file.read().strip() or 'unknown'} is at it; waiting until it is done", flush=True)
+            _lock(file, wait=True)
+        file.truncate(0)
+        file.write(f"{os.getpid()}\n")
+        file.flush()
+        yield
+
+
+def _lock(file: IO[str], wait: bool) -> bool:
+    """Lock a file, or return False where it is locked already and one does not wait; closing it unlocks."""
+    try:
+        if sys.platform == "win32":
+            file.seek(_BEYOND_THE_TEXT)
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+    except OSError:
+        if not wait:
+            return False
+        time.sleep(1)
+        return _lock(file, wait)
+    return True
+
+
 class Checkpoint:
     """Finished parts of a study, kept until the whole is done.
 
@@ -94,8 +139,13 @@ def compute(study: str, parameters: dict[str, Any], parts: Sequence[str], work: 
     """Work on the parts of a study on all cores, and return what they give, in their order.
 
     What is finished is kept, and after an interruption only the rest is computed; once the whole is
-    done nothing is kept, so that a study that is run again is computed again.
+    done nothing is kept, so that a study that is run again is computed again.  One run at a time: see `alone`.
     """
+    with alone(study):
+        return _compute(study, parameters, parts, work)
+
+
+def _compute(study: str, parameters: dict[str, Any], parts: Sequence[str], work: Callable[[str], Any]) -> list[Any]:
     checkpoint = Checkpoint(study, parameters)
     todo = [part for part in parts if checkpoint.load(part) is None]
     if len(todo) < len(parts):

@@ -30,3 +30,8 @@ def complaint(path, read):
     assert caught.value.__suppress_context__  # no second traceback above
     assert time.process_time() - start < 30
     return message.removeprefix(f"{path}: ")
+
+
+def named(content):
+    """Return the name and the points of every outline."""
+    return [(outline.name, outline.points) for outline in content.outlines]

@@ -19,25 +19,8 @@ WITHOUT_MODULE = {
 }
 # Modules that serve another one, and are tested with it.
 TESTED_WITH = {
-    "geometry/faces.py": "triangulating/test_explanation.py",
-    "geometry/halving.py": "geometry/test_curve.py",
-    "geometry/meeting_edges.py": "geometry/test_curve.py",
-    "geometry/pieces.py": "triangulating/test_cleaning.py",
-    "geometry/smoothing.py": "triangulating/test_cleaning.py",
-    "morphing/compatible/area_bounds.py": "morphing/test_guarantee.py",
-    "morphing/compatible/area_twists.py": "morphing/test_guarantee.py",
-    "morphing/compatible/layout.py": "morphing/compatible/test_leg.py",
-    "morphing/compatible/layout_errors.py": "morphing/test_guarantee.py",
-    "morphing/incompatible/chord_crossings.py": "morphing/incompatible/test_flip_sequence.py",
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
-    "morphing/shape_order.py": "morphing/test_guarantee.py",
-    "morphing/keyframes/closing.py": "morphing/keyframes/test_joining.py",
-    "morphing/keyframes/keyframe.py": "morphing/keyframes/test_joining.py",
-    "plot/look.py": "plot/test_film.py",
-    "plot/video.py": "plot/test_animation.py",
-    "triangulating/changes.py": "triangulating/test_cleaning.py",
-    "triangulating/mending.py": "triangulating/test_explanation.py",
 }
 
 

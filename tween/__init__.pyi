@@ -8,10 +8,10 @@ from .errors import TweenError as TweenError
 from .geometry import predicates as predicates
 from .geometry.curve import Curve as Curve
 from .geometry.triangulation import Triangulation as Triangulation
-from .io.read_write import read_curve as read_curve
-from .io.read_write import read_frames as read_frames
-from .io.read_write import write_curve as write_curve
-from .io.read_write import write_frames as write_frames
+from .io.frames import read_frames as read_frames
+from .io.frames import write_frames as write_frames
+from .io.reading import read_curve as read_curve
+from .io.writing import write_curve as write_curve
 from .measuring.certificate import Certificate as Certificate
 from .measuring.certificate import certify as certify
 from .measuring.certificate import verify as verify

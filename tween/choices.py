@@ -18,4 +18,6 @@ SHIFT_RULES: tuple[ShiftRule, ...] = get_args(ShiftRule)
 Shifts = ShiftRule | int
 Style = Literal["triangles", "outline", "fill"]
 STYLES: tuple[Style, ...] = get_args(Style)
+Fit = Literal["none", "area", "box"]
+FITS: tuple[Fit, ...] = get_args(Fit)
 SIZES = (16, 2048)  # pixels that a picture's side may have

@@ -1,4 +1,4 @@
-"""The errors of tween: one root, and a ValueError wherever the input is at fault."""
+"""The errors of tween: one root, and a ValueError wherever the input is at fault; and its one warning."""
 
 
 class TweenError(Exception):
@@ -31,3 +31,7 @@ class GuaranteeError(TweenError):
 
 class FileError(TweenError, ValueError):
     """A file cannot be read or written as asked; the message names the file and what was expected."""
+
+
+class NotUsedWarning(UserWarning):
+    """A file holds something that is not used; the message names the file, and what it is."""

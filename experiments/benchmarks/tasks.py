@@ -28,6 +28,8 @@ from tween import (
     certify,
     decompose,
     gallery,
+    match,
+    morph,
     paper_morph,
     remesh,
     triangulate,
@@ -154,6 +156,26 @@ def pairs() -> list[Timing]:
     ]
 
 
+def matches() -> list[Timing]:
+    lobes, spiral = (_coarse(gallery.curve(name), 24) for name in ("three_lobes", "spiral_2"))
+    first, second = (gallery.curve(name).insert_vertices(100) for name in ("arrow", "horseshoe"))
+    large, strip = gallery.random_disk(1000, np.random.default_rng(SEED)).curve, spiral_strip(1000)
+
+    def matched() -> object:
+        return morph(first, second).frames(100)
+
+    return [
+        Timing("match, 24 vertices and midpoints, exact", lambda: match(lobes, spiral, candidates=1)),
+        Timing("match, n = 100", lambda: match(first, second), "matched morph, 100 frames", matched, repeats=3),
+        Timing(f"match a random disk, a spiral strip, n = {len(large)}", lambda: match(large, strip), repeats=1),
+    ]
+
+
+def _coarse(curve: Curve, n: int) -> NDArray[np.float64]:
+    """So many of a curve's vertices, evenly by number."""
+    return curve.points[np.round(np.arange(n) * len(curve) / n).astype(int)]
+
+
 def guarantees() -> list[Timing]:
     T = remesh(gallery.random_disk(1000, np.random.default_rng(SEED)))
     D = T.on_disk()
@@ -242,7 +264,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m experiments.benchmarks.tasks", description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
     arguments = parser.parse_args()
-    for group in (predicates, tables, morphs, pairs, guarantees, optima, *(() if arguments.quick else (whole_table,))):
+    groups = (predicates, tables, morphs, pairs, matches, guarantees, optima)
+    for group in (*groups, *(() if arguments.quick else (whole_table,))):
         for timing in group():
             report(timing)
 

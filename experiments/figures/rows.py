@@ -17,6 +17,7 @@ from tween import plot as draw
 from tween.geometry.dual_tree import along_longest_path, hops
 
 SHAPES = 7  # in a row
+TIMES = np.linspace(0, 1, SHAPES)
 ALPHA = 0.55  # opacity of one layer
 EDGE = (0.45, 0.45, 0.45, 0.4)
 
@@ -53,16 +54,6 @@ def bottom(m: Morph) -> int:
     return int(end.min()) if m.alignment.pivot is None else m.alignment.pivot
 
 
-def moments(m: Morph) -> NDArray[np.float64]:
-    """Seven times; where there are flips the third, or the third from the end, is that of the outermost flip."""
-    if not m.events:
-        return np.linspace(0, 1, SHAPES)
-    times = np.array([event.time for event in m.events])
-    if np.median(times) > 0.5:
-        return np.concatenate([np.linspace(0, times[0], SHAPES - 2), [(1 + times[0]) / 2, 1]])
-    return np.concatenate([[0, times[-1] / 2], np.linspace(times[-1], 1, SHAPES - 2)])
-
-
 def draw_row(
     axes: Sequence[Axes],
     m: Morph,
@@ -70,14 +61,15 @@ def draw_row(
     mark: int | None = None,
     sizes: Sequence[float] = (1.0,) * SHAPES,
 ) -> None:
-    """Draw shapes of a morph, each as large as its axes allow, with their times and scales; dot the pivot in some.
+    """Draw shapes of a morph in even steps of time, each as large as its axes allow; dot the pivot in some.
 
-    A scale says how many times as large as the source, which is drawn in axes of the first size, a shape is drawn.
+    Below stand the time and the scale: how many times as large as the source a shape is drawn.  The source stands
+    in axes of the first size.
     """
-    times, place = moments(m), places(m.source)
+    place, shapes = places(m.source), m.at(TIMES)
     mark = m.alignment.pivot if mark is None else mark
-    scales = [size / reach(points) for size, points in zip(sizes, m.at(times), strict=True)]
-    for number, (ax, t, points) in enumerate(zip(axes, times, m.at(times), strict=True)):
+    scales = [size / reach(points) for size, points in zip(sizes, shapes, strict=True)]
+    for number, (ax, t, points) in enumerate(zip(axes, TIMES, shapes, strict=True)):
         draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, bottom(m))
         if mark is not None and number in dots:
             ax.scatter(points[mark, 0], points[mark, 1], s=16, color=draw.PIVOT, linewidths=0, zorder=5)

@@ -1,5 +1,7 @@
 """What studies keep and resume, and that any backend of joblib's takes them: threads, processes, a cluster."""
 
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -104,3 +106,53 @@ def test_a_change_in_any_folder_of_the_code_starts_a_study_anew(tmp_path: Path) 
         store.Checkpoint("test", {}).save("a", 1)
         (tmp_path / folder / "new.py").write_text("x = 1")
         assert store.Checkpoint("test", {}).load("a") is None
+
+
+# One run at a time
+
+RUN = """
+import sys
+from pathlib import Path
+from experiments import store
+store.ROOT = Path(sys.argv[1])
+with store.alone("study"):
+    print("in", flush=True)
+    if sys.argv[2] == "hold":
+        sys.stdin.readline()
+    print("out", flush=True)
+"""
+
+
+def run(folder: Path, what: str) -> "subprocess.Popen[str]":
+    root, pipe = Path(store.__file__).resolve().parent.parent, subprocess.PIPE
+    return subprocess.Popen(
+        [sys.executable, "-c", RUN, str(folder), what], stdin=pipe, stdout=pipe, text=True, cwd=root
+    )
+
+
+def test_a_second_run_of_a_study_says_so_and_waits_until_the_first_is_done(tmp_path: Path) -> None:
+    with run(tmp_path, "hold") as first:
+        assert first.stdout is not None and first.stdin is not None
+        assert first.stdout.readline() == "in\n"
+        with run(tmp_path, "leave") as second:
+            assert second.stdout is not None
+            assert second.stdout.readline() == f"study: process {first.pid} is at it; waiting until it is done\n"
+            assert first.poll() is None
+            first.stdin.write("\n")
+            first.stdin.flush()
+            assert second.stdout.read() == "in\nout\n"
+            assert first.stdout.read() == "out\n"
+
+
+def test_a_run_that_was_killed_holds_no_lock(tmp_path: Path) -> None:
+    with run(tmp_path, "hold") as first:
+        assert first.stdout is not None and first.stdout.readline() == "in\n"
+        first.kill()
+        first.wait()
+        with run(tmp_path, "leave") as second:
+            assert second.communicate()[0] == "in\nout\n"
+
+
+def test_different_studies_do_not_wait_for_each_other() -> None:
+    with store.alone("one"), store.alone("other"):
+        pass

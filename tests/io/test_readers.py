@@ -4,18 +4,15 @@ import json
 
 import numpy as np
 import pytest
-from files import complaint, saved
+from files import complaint, named, saved
 from hypothesis import given
 from hypothesis import strategies as st
 from malformed import SQUARE, npz
 from strategies import exact_doubles
 
 from tween.errors import FileError
-from tween.io.read_write import (
-    read_curve,
-    read_frames,
-)
-from tween.io.readers import points_of, read_arrays, read_csv, read_json
+from tween.io.frames import read_frames
+from tween.io.readers import points_of, read_arrays, read_json
 
 
 def test_frames_without_times_are_read(tmp_path):
@@ -24,11 +21,6 @@ def test_frames_without_times_are_read(tmp_path):
     assert frames.shape == (1, 4, 2)
     assert triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
     assert times is None
-
-
-def test_a_first_line_that_begins_with_a_digit_is_no_header(tmp_path):
-    path = saved(tmp_path, "a.csv", "0,5;1,5\n2;1\n2;3\n0;3\n")
-    assert complaint(path, read_curve) == "line 1 is '0,5;1,5', expected two numbers, x and y"
 
 
 FRAMES = {"frames": np.array([SQUARE] * 3), "triangles": np.array([[0, 1, 2], [0, 2, 3]]), "times": np.arange(3.0)}
@@ -76,26 +68,9 @@ def test_what_holds_no_frames_is_answered_by_one_line(tmp_path, content):
 points = st.lists(st.tuples(exact_doubles, exact_doubles), min_size=1, max_size=6)
 
 
-@given(points, st.sampled_from([",", ";", " ", "\t"]), st.sampled_from(["", "x{0}y\n", "# a remark\n\n"]))
-def test_rows_of_csv_are_read_whatever_separates_them(rows, separator, head):
-    text = head.format(separator) + "\n".join(f"{x!r}{separator}{y!r}" for x, y in rows)
-    ((name, found),) = read_csv(text.encode())
-    assert name == ""
-    assert np.array_equal(found, rows)
-
-
-@given(points, st.data())
-def test_a_row_of_csv_that_is_damaged_is_named(rows, data):
-    lines = [f"{x!r},{y!r}" for x, y in [(0.0, 0.0), *rows]]
-    i = data.draw(st.integers(1, len(rows)))
-    lines[i] = data.draw(st.sampled_from(["1", "1,2,3", "1,x", "1,1_0", "1,0x1"]))
-    with pytest.raises(FileError, match=rf"^line {i + 1} is .*expected two numbers"):
-        read_csv("\n".join(lines).encode())
-
-
 @given(st.dictionaries(st.text(), points))
 def test_curves_of_json_keep_their_names_and_their_order(curves):
-    found = read_json(json.dumps({"curves": curves}).encode())
+    found = named(read_json(json.dumps({"curves": curves}).encode()))
     assert [name for name, _ in found] == list(curves)
     assert all(np.array_equal(a, b) for (_, a), b in zip(found, curves.values(), strict=True))
 
@@ -106,7 +81,7 @@ def test_all_ways_to_write_one_curve_in_json_are_read_alike(rows):
     ways.append({"type": "Feature", "properties": {}, "geometry": ways[-1]})
     ways.append({"type": "FeatureCollection", "features": [ways[-1]]})
     for way in ways:
-        ((_, found),) = read_json(json.dumps(way).encode())
+        ((_, found),) = named(read_json(json.dumps(way).encode()))
         assert np.array_equal(found, rows)
 
 
@@ -125,10 +100,10 @@ def test_no_bytes_are_read_as_arrays_by_accident(data):
 
 def test_of_several_arrays_the_points_count_or_else_all():
     square, other = np.array(SQUARE, dtype=float), np.zeros((5, 2), dtype=np.int8)
-    assert [name for name, _ in points_of({"a": square, "b": other})] == ["a", "b"]
-    ((name, found),) = points_of({"a": other, "points": square})
+    assert [name for name, _ in named(points_of({"a": square, "b": other}))] == ["a", "b"]
+    ((name, found),) = named(points_of({"a": other, "points": square}))
     assert name == ""
     assert np.array_equal(found, square)
-    assert points_of({"b": other})[0][1].dtype == np.float64
+    assert points_of({"b": other}).outlines[0].points.dtype == np.float64
     with pytest.raises(FileError, match=r"array 'c' has shape \(3,\), expected \(n, 2\)"):
         points_of({"c": np.zeros(3)})

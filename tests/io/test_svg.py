@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from files import FIXTURES
+from files import FIXTURES, named
 
 from tween.errors import FileError
 from tween.io.svg import MOST_ELEMENTS, read_svg
@@ -31,7 +31,7 @@ def svg(content):
     ],
 )
 def test_shapes_lie_where_their_attributes_say(shape, box):
-    ((_, line),) = read_svg(svg(shape), 1e-6)
+    ((_, line),) = named(read_svg(svg(shape), 1e-6))
     assert (*line.min(axis=0), *line.max(axis=0)) == pytest.approx(box)
 
 
@@ -53,12 +53,12 @@ def test_shapes_lie_where_their_attributes_say(shape, box):
 )
 def test_transforms_are_those_of_svg(transform, image):
     """Where the point (2, 1), y downwards, comes to lie."""
-    ((_, line),) = read_svg(svg(f'<g transform="{transform}"><path d="M2 1 7 7"/></g>'))
+    ((_, line),) = named(read_svg(svg(f'<g transform="{transform}"><path d="M2 1 7 7"/></g>')))
     assert line[0] * [1, -1] == pytest.approx(image)
 
 
 def test_a_drawing_of_layers_is_read_as_it_is_drawn():
-    outlines = dict(read_svg((FIXTURES / "layers.svg").read_bytes()))
+    outlines = dict(named(read_svg((FIXTURES / "layers.svg").read_bytes())))
     assert list(outlines) == ["turned", "two.0", "two.1", "first", "second", "third", "round", "", "open"]
     assert outlines["turned"].tolist() == [[10, -22], [10, -28], [8, -28], [8, -22], [10, -22]]
     assert outlines["two.1"].tolist() == [[20, -30], [22, -30], [22, -32], [20, -30]]
@@ -72,7 +72,7 @@ def test_a_drawing_of_layers_is_read_as_it_is_drawn():
 
 def test_five_hundred_nested_groups_are_read():
     groups = '<g transform="translate(1)">' * 500 + '<path d="M0 0 1 0 1 1z"/>' + "</g>" * 500
-    ((_, line),) = read_svg(svg(groups))
+    ((_, line),) = named(read_svg(svg(groups)))
     assert line[0].tolist() == [500, 0]
 
 

@@ -14,15 +14,10 @@ from malformed import SQUARE
 from tween import gallery
 from tween.errors import CurveError, FileError
 from tween.geometry.curve import Curve
-from tween.io.read_write import (
-    read_curve,
-    read_curves,
-    read_stroke,
-    write_curve,
-    write_frames,
-    write_triangulation,
-)
+from tween.io.frames import write_frames
+from tween.io.reading import read_curve, read_curves, read_stroke
 from tween.io.whole_files import LARGEST_FILE, content_of, naming, write
+from tween.io.writing import write_curve, write_triangulation
 from tween.morphing.strategy import morph
 from tween.triangulating.decomposition import triangulate
 
@@ -84,7 +79,8 @@ def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch, what, failing):
     elif failing == "write":
         monkeypatch.setattr("tween.io.whole_files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
     else:
-        monkeypatch.setattr("tween.io.read_write.npz_bytes", fail)
+        for module in ("writing", "frames"):
+            monkeypatch.setattr(f"tween.io.{module}.npz_bytes", fail)
     assert complaint(path, write) == "No space left on device"
     assert path.read_bytes() == b"what was there"
     assert os.listdir(tmp_path) == ["shape.npz"]
@@ -118,7 +114,7 @@ def test_a_lack_of_memory_is_answered_by_one_line(tmp_path, monkeypatch):
     def lack(_):
         raise MemoryError
 
-    monkeypatch.setattr("tween.io.read_write.content_of", lack)
+    monkeypatch.setattr("tween.io.outlines.content_of", lack)
     assert complaint(saved(tmp_path, "a.csv", "0,0"), read_curve) == "needs more memory than there is"
 
 

@@ -7,14 +7,16 @@ import json
 import numpy as np
 import pytest
 import shapely
+from files import named
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from tween import gallery, triangulate
 from tween.colors import SOURCE
-from tween.io.readers import points_of, read_arrays, read_csv, read_json
+from tween.io.readers import points_of, read_arrays, read_json
 from tween.io.svg import read_svg
+from tween.io.tables import read_csv
 from tween.io.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
 
 
@@ -27,7 +29,7 @@ def test_a_drawing_is_a_small_picture_with_the_shape_inside():
 def test_frames_stand_side_by_side_and_do_not_overlap():
     shape = np.array([[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]])
     shapes = np.array([shape, shape + 0.5, shape * 0.5, shape, shape])
-    outlines = dict(read_svg(drawing(shapes, np.array([[[0, 1, 2]]] * 5)).encode()))
+    outlines = dict(named(read_svg(drawing(shapes, np.array([[[0, 1, 2]]] * 5)).encode())))
     boxes = [shapely.box(*outlines[f"frame_{i}"].min(axis=0), *outlines[f"frame_{i}"].max(axis=0)) for i in range(5)]
     assert not any(a.intersects(b) for a, b in itertools.combinations(boxes, 2))
     assert [np.ptp(outlines[f"frame_{i}"], axis=0).tolist() for i in (0, 2)] == [[2, 1], [1, 0.5]]
@@ -57,8 +59,8 @@ def test_every_double_comes_back_exactly_from_text_and_bytes(p):
 @given(points)
 def test_the_readers_understand_the_writers(p):
     (_, csv), (_, by_json), (_, by_npy) = (
-        named[0]
-        for named in (
+        named(content)[0]
+        for content in (
             read_csv(csv_text("x,y", *p.T).encode()),
             read_json(json_text(points=p).encode()),
             points_of(read_arrays(npz_bytes(points=p), ".npz")),
@@ -89,6 +91,6 @@ def test_obj_counts_vertices_from_1_and_lies_in_the_plane():
 @pytest.mark.parametrize("name", ["ell", "five_disks"])
 def test_a_drawing_has_a_triangle_for_each_and_the_outline_exactly(name):
     T = triangulate(gallery.curve(name))
-    outlines = read_svg(drawing(T.points[None], T.triangles[None]).encode())
+    outlines = named(read_svg(drawing(T.points[None], T.triangles[None]).encode()))
     assert len(outlines) == 1 + len(T.triangles)
     assert np.array_equal(dict(outlines)["curve"][:-1], T.points)

@@ -31,7 +31,7 @@ def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.
     splits = comb(20, 3)  # one for each triple of vertices of a convex polygon
     monkeypatch.setattr("tween.triangulating.table._MOST_SPLITS", splits - 1)
     d = decompose(parabola(20))
-    for ask in (lambda: d.count, lambda: d.sample(np.random.default_rng(0))):
+    for ask in (lambda: d.optimal(len), lambda: d.sample(np.random.default_rng(0))):
         with pytest.raises(TweenError, match=f"{splits} splits would take 0 GiB"):
             ask()
     d.arbitrary().validate()

@@ -6,7 +6,8 @@ platform's sine, midpoints of edges are exact, and a mirror image is one exactly
 Legend: ``n`` vertices of a curve, ``m`` of a spine; ``t`` a parameter along a path; ``z = x + iy``.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from functools import cache
 
 import numpy as np
@@ -166,7 +167,7 @@ def describe_pair(name: str) -> str:
 
 def _pair_entry(name: str) -> tuple[str, Callable[[], tuple[Curve, Curve]]]:
     if name not in _PAIRS:
-        raise CurveError(f"there is no pair {name!r}; expected one of {', '.join(_PAIRS)}")
+        raise CurveError(f"there is no pair {name!r}{_close(name, _PAIRS)}; expected one of {', '.join(_PAIRS)}")
     return _PAIRS[name]
 
 
@@ -251,8 +252,13 @@ _CURVES: dict[str, tuple[str, Callable[[], _Floats]]] = {
 
 def _entry(name: str) -> tuple[str, Callable[[], _Floats]]:
     if name not in _CURVES:
-        raise CurveError(f"there is no curve {name!r}; expected one of {', '.join(_CURVES)}")
+        raise CurveError(f"there is no curve {name!r}{_close(name, _CURVES)}; expected one of {', '.join(_CURVES)}")
     return _CURVES[name]
+
+
+def _close(name: str, names: Iterable[str]) -> str:
+    close = get_close_matches(name, names, 1)
+    return f" (did you mean {close[0]!r}?)" if close else ""
 
 
 def _ends(first: str, second: str) -> tuple[Curve, Curve]:

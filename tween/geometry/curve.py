@@ -65,7 +65,8 @@ class Curve:
     Parameters
     ----------
     points : array_like, shape (n, 2), n >= 3
-        Vertices in order along the curve; the last one is joined to the first.  A curve of negative
+        Vertices in order along the curve; the last one is joined to the first, and dropped where it repeats
+        it, as closed rings have it; `origin` tells the rows that are left.  A curve of negative
         turning number is traversed the other way round, vertex 0 staying first, and says so in
         `reversed_input`.
 
@@ -237,10 +238,7 @@ def without_repetitions(points: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _validated(points: ArrayLike) -> NDArray[np.float64]:
     """Copy the points to doubles, or raise the `CurveError` that names the first vertex at fault."""
-    try:
-        p = np.array(points, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise CurveError(f"points are no array of numbers of shape (n, 2): {error}") from None
+    p = _as_doubles(points)
     if p.ndim != 2 or p.shape[1] != 2:
         raise CurveError(f"points have shape {p.shape}, expected (n, 2)")
     n = len(p)
@@ -250,6 +248,8 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
     fault = coordinate_fault(p)
     if fault:
         raise CurveError(fault)
+    if n > 3 and (p[0] == p[-1]).all():
+        p, n = p[:-1].copy(), n - 1
     following = np.roll(p, -1, axis=0)
     for i in np.flatnonzero((p == following).all(axis=1)):
         j = (i + 1) % n
@@ -257,6 +257,35 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
     for i in np.flatnonzero(spikes(p)):
         raise CurveError(f"vertex {i} at {_at(p[i])} is a spike: the curve turns back by 180 degrees")
     return p
+
+
+def _as_doubles(points: ArrayLike) -> NDArray[np.float64]:
+    """Copy numbers to doubles, or raise the `CurveError` that says what would be lost."""
+    if np.ma.is_masked(points):
+        hidden = np.atleast_1d(np.ma.getmaskarray(np.ma.asarray(points)))
+        raise CurveError(f"vertex {int(np.argwhere(hidden)[0, 0])} is masked, expected coordinates of every vertex")
+    try:
+        given = np.asarray(points)
+        if np.iscomplexobj(given):
+            raise TypeError(
+                f"they are complex, of shape {given.shape}; give real parts and imaginary parts as two columns: "
+                "np.stack([z.real, z.imag], axis=1)"
+            )
+        return np.array(given, dtype=np.float64)
+    except OverflowError:
+        raise CurveError(_overflow(points)) from None
+    except (TypeError, ValueError) as error:
+        raise CurveError(f"points are no array of numbers of shape (n, 2): {error}") from None
+
+
+def _overflow(points: Any) -> str:
+    """Name the first vertex of which no double can hold a coordinate."""
+    for i, vertex in enumerate(np.atleast_1d(np.asarray(points, dtype=object))):
+        try:
+            np.array(vertex, dtype=np.float64)
+        except OverflowError:
+            return f"vertex {i} has a coordinate beyond the largest double; scale the curve"
+    raise AssertionError("some vertex has overflowed")
 
 
 def coordinate_fault(points: NDArray[np.float64]) -> str:

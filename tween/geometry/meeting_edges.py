@@ -24,7 +24,8 @@ from numpy.typing import NDArray
 
 from tween.geometry.predicates import turn
 
-_FEW = 12  # edges that are compared pair by pair
+_SMALL = 200  # edges up to which comparing all pairs is as quick as the tree, and much less to compile
+_FEW = 12  # edges of a node that are compared pair by pair
 _ROUNDING = 2.0**-48  # of an ordinate found along an edge, as a share of the edge's largest ordinate
 _CODE = 2  # a pair is kept as a number: twice its place among all pairs, and whether it crosses
 
@@ -45,12 +46,21 @@ def meeting_edges(points: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArra
         Whether the two cross in their interiors.
     """
     n = len(points)
-    xs, place = np.unique(points[:, 0], return_inverse=True)
-    following = np.roll(place, -1)
-    starts, ends = np.minimum(place, following), np.maximum(place, following)
-    codes = np.unique(_meetings(points, xs, starts, ends))
+    if n <= _SMALL:
+        found, size = _compare_all(points, np.empty(n, dtype=np.int64), 0, np.arange(n))
+        codes = np.unique(found[:size])
+    else:
+        codes = np.unique(_by_slabs(points))
     pair = codes // _CODE
     return np.stack([pair // n, pair % n], axis=1).astype(np.intp), codes % _CODE == 1
+
+
+def _by_slabs(points: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Number the abscissas and walk down the tree; pairs may be found more than once."""
+    xs, place = np.unique(points[:, 0], return_inverse=True)
+    following = np.roll(place, -1)
+    codes: NDArray[np.int64] = _meetings(points, xs, np.minimum(place, following), np.maximum(place, following))
+    return codes
 
 
 @njit(cache=True)

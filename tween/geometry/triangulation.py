@@ -16,7 +16,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.errors import TriangulationError
+from tween.errors import CurveError, TriangulationError
 from tween.geometry.curve import Curve, coordinate_fault, spikes, turning_number
 from tween.geometry.predicates import orient2d
 
@@ -74,7 +74,10 @@ class Triangulation:
     @cached_property
     def curve(self) -> Curve:
         """The boundary."""
-        return Curve(self._points)
+        curve = Curve(self._points)
+        if len(curve) < len(self):
+            raise CurveError(f"edge {len(curve)}-0 has zero length: the last vertex repeats the first")
+        return curve
 
     @cached_property
     def twin(self) -> NDArray[np.int64]:

@@ -1,22 +1,18 @@
-"""Files: curves and strokes read, fitted to each other and written, triangulations and the frames of morphs written."""
+"""Files: curves and strokes read and written, triangulations and the frames of morphs written."""
 
-from tween.io.fitting import fit
-from tween.io.read_write import (
-    read_curve,
-    read_curves,
-    read_frames,
-    read_stroke,
-    stroke,
-    write_curve,
-    write_frames,
-    write_triangulation,
-)
+from tween.io.fit import fit
+from tween.io.frames import read_frames, write_frames
+from tween.io.landmarks import landmarks, read_marks
+from tween.io.reading import read_curve, read_curves, read_stroke, stroke
+from tween.io.writing import write_curve, write_triangulation
 
 __all__ = [
     "fit",
+    "landmarks",
     "read_curve",
     "read_curves",
     "read_frames",
+    "read_marks",
     "read_stroke",
     "stroke",
     "write_curve",

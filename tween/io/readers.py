@@ -1,13 +1,11 @@
-"""CSV, JSON, GeoJSON and NumPy files, from bytes to arrays.
+"""JSON and NumPy files, from bytes to arrays.
 
-A curve is read as its name, empty where there is none, and its points.  Errors do not know the name of the
-file; `tween.io` puts it in front.
+Errors do not know the name of the file; `tween.io` puts it in front.
 """
 
 import io
 import json
 import math
-import re
 import reprlib
 import zipfile
 from typing import Any
@@ -16,70 +14,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import FileError
+from tween.io.content import Content, Outline
+from tween.io.geojson import positions, read_geojson
+from tween.io.tables import text_of
 from tween.io.whole_files import LARGEST_FILE
 
 _Floats = NDArray[np.float64]
-_Named = list[tuple[str, _Floats]]
 
 
-def read_csv(data: bytes) -> _Named:
-    r"""Read points, one a line: x and y between a comma, a semicolon or white space.
-
-    Parameters
-    ----------
-    data : bytes
-        UTF-8.  Empty lines and lines that begin with "#" do not count, and the first one may be a header.
-
-    Returns
-    -------
-    list of one (str, ndarray of float64, shape (n, 2))
-
-    Raises
-    ------
-    FileError
-        Naming the line.
-
-    Examples
-    --------
-    >>> read_csv(b"x,y\n0,0\n1.5,2")[0][1].tolist()
-    [[0.0, 0.0], [1.5, 2.0]]
-    """
-    lines = [(i, line.strip()) for i, line in enumerate(_text(data).splitlines(), 1)]
-    lines = [(i, line) for i, line in lines if line and line[0] != "#"]
-    first = lines[0][1] if lines else ""
-    separator = next((mark for mark in ";," if mark in first), None)
-    fields = first.split(separator)
-    if len(fields) == 2 and all(not _is_number(field) and re.match(r"\W*[^\W\d]", field) for field in fields):
-        del lines[0]
-    return [("", np.array([_row(i, line, separator) for i, line in lines]).reshape(-1, 2))]
-
-
-def _row(i: int, line: str, separator: str | None) -> list[float]:
-    fields = line.split(separator)
-    if len(fields) != 2 or not all(map(_is_number, fields)):
-        raise FileError(f"line {i} is {reprlib.repr(line)}, expected two numbers, x and y")
-    return [float(field) for field in fields]
-
-
-def _is_number(field: str) -> bool:
-    try:
-        return "_" not in field and float(field) is not None
-    except ValueError:
-        return False
-
-
-def read_json(data: bytes) -> _Named:
+def read_json(data: bytes) -> Content:
     """Read a list of points, {"points": ...}, {"curves": {id: points}}, or GeoJSON.
 
     Parameters
     ----------
     data : bytes
-        UTF-8.  Of GeoJSON, line strings and the first rings of polygons count, by themselves, as features
-        or in a collection, where other geometries are passed over.
+        UTF-8.  For GeoJSON see `.read_geojson`.
 
     Returns
     -------
-    list of (str, ndarray of float64, shape (n, 2))
+    Content
 
     Raises
     ------
@@ -88,24 +41,28 @@ def read_json(data: bytes) -> _Named:
 
     Examples
     --------
-    >>> read_json(b'{"curves": {"a": [[0, 0], [1, 0], [0, 1]]}}')
-    [('a', array([[0., 0.],
-           [1., 0.],
-           [0., 1.]]))]
+    >>> read_json(b'{"curves": {"a": [[0, 0], [1, 0], [0, 1]]}}').outlines[0].points.tolist()
+    [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
     """
     content = parse_json(data)
     if isinstance(content, list):
-        return [("", _points(content, "the list"))]
+        return Content([Outline("", positions(content, "the list"))], [], {})
     if isinstance(content, dict) and "type" in content:
-        return _geometries(content)
+        return read_geojson(content)
     if isinstance(content, dict) and isinstance(content.get("curves"), dict):
-        return [(name, _points(points, f"curve {reprlib.repr(name)}")) for name, points in content["curves"].items()]
+        named = content["curves"].items()
+        outlines = [Outline(name, positions(points, f"curve {reprlib.repr(name)}")) for name, points in named]
+        return Content(outlines, _others(content, "curves"), {})
     if isinstance(content, dict) and "points" in content:
-        return [("", _points(content["points"], "points"))]
+        return Content([Outline("", positions(content["points"], "points"))], _others(content, "points"), {})
     raise FileError(
         f"holds {reprlib.repr(content)}, expected a list of points [x, y], "
         '{"points": ...}, {"curves": {id: points}} or GeoJSON'
     )
+
+
+def _others(content: dict[str, Any], used: str) -> list[str]:
+    return [reprlib.repr(key) for key in content if key != used]
 
 
 def parse_json(data: bytes) -> Any:
@@ -125,50 +82,13 @@ def parse_json(data: bytes) -> Any:
         Where it is none, or nested too deeply.
     """
     try:
-        return json.loads(_text(data))
+        return json.loads(text_of(data))
     except RecursionError:
         raise FileError("is nested too deeply, expected lists of points") from None
     except ValueError as error:
         if isinstance(error, FileError):
             raise
         raise FileError(f"is no JSON: {error}") from None
-
-
-def _text(data: bytes) -> str:
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise FileError(f"has the byte {data[error.start]:#04x} at position {error.start}, expected UTF-8") from None
-
-
-def _points(value: Any, where: str, most: int = 2) -> _Floats:
-    """A list of positions of two, or up to `most`, numbers; the first two count."""
-    if not isinstance(value, list):
-        raise FileError(f"{where} is {reprlib.repr(value)}, expected a list of points [x, y]")
-    for i, row in enumerate(value):
-        if not (isinstance(row, list) and 2 <= len(row) <= most and all(type(c) in (int, float) for c in row)):
-            raise FileError(f"{where} has {reprlib.repr(row)} as point {i}, expected [x, y]")
-    try:
-        return np.array([row[:2] for row in value], dtype=np.float64).reshape(-1, 2)
-    except OverflowError:
-        raise FileError(f"{where} has an integer that is too large for a double") from None
-
-
-def _geometries(content: dict[str, Any]) -> _Named:
-    features = content.get("features") if content["type"] == "FeatureCollection" else [content]
-    if not isinstance(features, list) or not all(isinstance(feature, dict) for feature in features):
-        raise FileError(f"has {reprlib.repr(features)} as features, expected a list of GeoJSON features")
-    named: _Named = []
-    for feature in features:
-        geometry = feature.get("geometry") if feature.get("type") == "Feature" else feature
-        kind = geometry.get("type") if isinstance(geometry, dict) else None
-        if kind in ("LineString", "Polygon"):
-            rings = geometry.get("coordinates")
-            line = rings[0] if kind == "Polygon" and isinstance(rings, list) and rings else rings
-            named.append((str(feature.get("id", "")), _points(line, f"the {kind}", most=4)))
-    if not named:
-        raise FileError(f"is GeoJSON of type {reprlib.repr(content['type'])}, expected a LineString or Polygon in it")
-    return named
 
 
 def read_arrays(data: bytes, suffix: str) -> dict[str, NDArray[Any]]:
@@ -225,7 +145,7 @@ def _array(data: bytes, name: str) -> NDArray[Any]:
     return np.asarray(array)
 
 
-def points_of(arrays: dict[str, NDArray[Any]]) -> _Named:
+def points_of(arrays: dict[str, NDArray[Any]]) -> Content:
     """Take the curves from arrays: the one called "points", or else all of them.
 
     Parameters
@@ -234,19 +154,20 @@ def points_of(arrays: dict[str, NDArray[Any]]) -> _Named:
 
     Returns
     -------
-    list of (str, ndarray of float64, shape (n, 2))
+    Content
 
     Raises
     ------
     FileError
         Where an array has another shape.
     """
+    unused = _others(arrays, "points") if "points" in arrays else []
     if "points" in arrays:
         arrays = {"": arrays["points"]}
     for name, array in arrays.items():
         if array.ndim != 2 or array.shape[1] != 2:
             raise FileError(f"array {reprlib.repr(name or 'points')} has shape {array.shape}, expected (n, 2)")
-    return [(name, array.astype(np.float64)) for name, array in arrays.items()]
+    return Content([Outline(name, array.astype(np.float64)) for name, array in arrays.items()], unused, {})
 
 
 def frames_of(content: Any) -> tuple[_Floats, NDArray[np.int64] | None, _Floats | None]:

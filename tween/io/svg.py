@@ -6,9 +6,10 @@ Coordinates are the drawing's user units with y turned upwards: y here is -y the
 import io
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from defusedxml import DefusedXmlException
@@ -16,6 +17,7 @@ from defusedxml.ElementTree import iterparse
 from numpy.typing import NDArray
 
 from tween.errors import FileError
+from tween.io.content import Content, Outline, Pen, counted
 from tween.io.svg_path import MOST_POINTS, checked, flattened, numbers, polygon, rectangle
 
 MOST_ELEMENTS = 100_000
@@ -31,10 +33,20 @@ _SHAPES = {"path", "polygon", "polyline", "rect", "circle", "ellipse"}
 _UNITS = {"": 1, "px": 1, "pt": 4 / 3, "pc": 16, "in": 96, "cm": 96 / 2.54, "mm": 96 / 25.4, "Q": 96 / 101.6}
 _LENGTH = re.compile(rf"\s*([-+.0-9eE]+?)({'|'.join(_UNITS)})\s*")
 _CALL = re.compile(r"[ \t\r\n,]*([A-Za-z]+)[ \t\r\n]*\(([^()]*)\)")
-_HIDDEN = re.compile(r"(?:^|;)\s*display\s*:\s*none")
+_LOST = {"text": "text", "image": "image", "line": "line", "foreignObject": "embedded page", "style": "style sheet"}
+_PEN = ("fill", "stroke", "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit")
 
 
-def read_svg(data: bytes, tolerance: float | None = None) -> list[tuple[str, _Floats]]:
+class _Shape(NamedTuple):
+    """An element that draws, the transform and the style of all groups it stands in, and its name."""
+
+    element: Any
+    matrix: _Floats
+    style: dict[str, str]
+    name: str
+
+
+def read_svg(data: bytes, tolerance: float | None = None) -> Content:
     """Find the outlines of a drawing, in its order.
 
     Parameters
@@ -47,10 +59,10 @@ def read_svg(data: bytes, tolerance: float | None = None) -> list[tuple[str, _Fl
 
     Returns
     -------
-    list of (str, ndarray of shape (m, 2))
-        Id, empty where there is none, and points; of a closed outline the last one equals the first.  A
-        shape that `use` repeats goes by the id of the `use`.
-        Each subpath of path "a", where it has several, is an outline "a.0", "a.1", ... of its own.
+    Content
+        Of a closed outline the last point equals the first.  A shape that `use` repeats goes by the id of the `use`.
+        Each subpath of path "a", where it has several, is an outline "a.0", "a.1", ... of its own.  The centres of
+        circles that have an id are marks.
 
     Raises
     ------
@@ -60,28 +72,63 @@ def read_svg(data: bytes, tolerance: float | None = None) -> list[tuple[str, _Fl
     Notes
     -----
     Paths, polygons, polylines, rectangles, circles and ellipses are read, with the transforms of their
-    groups, and wherever `use` repeats them.  What is not drawn where it stands (definitions, clip paths,
-    display="none", shapes without extent) is passed over.  View boxes and style sheets are not applied.
+    groups, and wherever `use` repeats them.  What is not drawn where it stands (definitions, clip paths) is passed
+    over.  What is drawn and cannot be read, or is hidden, is counted as unused.  View boxes and style sheets are not
+    applied.
 
     Examples
     --------
-    >>> read_svg(b'<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0H2V-1Z"/></svg>')[0][1].tolist()
+    >>> found = read_svg(b'<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0H2V-1Z"/></svg>')
+    >>> found.outlines[0].points.tolist()
     [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 0.0]]
     """
-    outlines: list[tuple[str, _Floats]] = []
+    unused: Counter[str] = Counter()
+    content = Content([], [], {})
     room = MOST_POINTS
-    for k, (element, matrix, name) in enumerate(list(_shapes(*_parsed(data)))):  # counted before any is made
-        tag = _tag(element)
+    for k, shape in enumerate(list(_shapes(*_parsed(data), unused))):  # counted before any is made
+        tag = _tag(shape.element)
         try:
-            lines = flattened(_path_data(element, tag), matrix, tolerance, room)
+            lines = flattened(_path_data(shape.element, tag), shape.matrix, tolerance, room)
+            pen = _pen(shape)
         except FileError as error:
-            raise FileError(f"{tag} {repr(name[:40]) if name else f'(shape {k})'} {error}") from None
+            label = repr(shape.name[:40]) if shape.name else f"(shape {k})"
+            raise FileError(f"{tag} {label} {error}") from None
         room -= sum(map(len, lines))
         drawn = [line for line in lines if (line != line[0]).any()]
-        outlines += [(f"{name}.{i}" if name and len(drawn) > 1 else name, line) for i, line in enumerate(drawn)]
-    if not outlines:
+        unused["empty shape"] += not drawn
+        several = bool(shape.name) and len(drawn) > 1
+        content.outlines.extend(
+            Outline(f"{shape.name}.{i}" if several else shape.name, line, pen) for i, line in enumerate(drawn)
+        )
+        if tag == "circle" and shape.name and drawn:
+            content.marks[shape.name] = _middle(drawn[0])
+    if not content.outlines:
         raise FileError(f"draws nothing, expected one of the elements {', '.join(sorted(_SHAPES))}")
-    return outlines
+    content.unused.extend(counted(number, what) for what, number in unused.items() if number)
+    return content
+
+
+def _middle(line: _Floats) -> tuple[float, float]:
+    x, y = ((line.min(axis=0) + line.max(axis=0)) / 2).tolist()
+    return x, y
+
+
+def _pen(shape: _Shape) -> Pen:
+    """How the outline is drawn, its width as wide as the transform makes it."""
+    style = shape.style
+    found = _LENGTH.fullmatch(style.get("stroke-width", "1"))
+    widths = numbers(found[1]) if found else []
+    scale = math.sqrt(abs(float(np.linalg.det(shape.matrix[:2, :2]))))
+    width = widths[0] * _UNITS[found[2]] * scale if found and len(widths) == 1 else 0.0
+    limits = numbers(style["stroke-miterlimit"]) if re.fullmatch("[0-9.]+", style.get("stroke-miterlimit", "")) else []
+    stroked = style.get("stroke", "none") != "none"
+    return Pen(
+        width if stroked else 0.0,
+        style.get("stroke-linecap", "butt"),
+        style.get("stroke-linejoin", "miter"),
+        limits[0] if limits else Pen().limit,
+        alone=stroked and style.get("fill", "black") == "none",
+    )
 
 
 def elements(data: bytes) -> list[Any]:
@@ -132,27 +179,41 @@ def _tag(element: Any) -> str:
     return str(element.tag.rpartition("}")[2])
 
 
-def _shapes(root: Any, by_id: dict[str, Any]) -> Iterator[tuple[Any, _Floats, str]]:
-    """The elements that draw, with the transforms of all groups they stand in, and their names."""
-    stack, visits = [(root, np.eye(3), "")], 0
+def _shapes(root: Any, by_id: dict[str, Any], unused: Counter[str]) -> Iterator[_Shape]:
+    """The elements that draw; what is drawn and cannot be read, or is hidden, is counted."""
+    stack, visits = [_Shape(root, np.eye(3), {}, "")], 0
     while stack:
-        element, matrix, name = stack.pop()
+        element, matrix, style, name = stack.pop()
         visits += 1
         if visits > MOST_ELEMENTS:
             raise FileError(f"repeats elements by 'use' to more than {MOST_ELEMENTS}, expected fewer")
-        if element.get("display") == "none" or _HIDDEN.search(element.get("style", "")):
+        tag, own = _tag(element), _declared(element)
+        if own.get("display") == "none":
+            unused["hidden element"] += tag in _GROUPS | _SHAPES | _LOST.keys() | {"use"}
             continue
-        tag = _tag(element)
+        if tag in _LOST:
+            unused[_LOST[tag]] += 1
         with np.errstate(all="ignore"):  # what is too large is refused where it meets a shape
             matrix = matrix @ _transform(element.get("transform", ""))
             if tag == "use":
                 matrix = matrix @ _matrix("translate", [_length(element, "x"), _length(element, "y")])
+        style = style | {key: own[key] for key in _PEN if own.get(key, "inherit") != "inherit"}
         if tag in _SHAPES:
-            yield element, matrix, name or element.get("id", "")
+            yield _Shape(element, matrix, style, name or element.get("id", ""))
         elif tag in _GROUPS:
-            stack.extend((child, matrix, "") for child in reversed(element))
+            stack.extend(_Shape(child, matrix, style, "") for child in reversed(element))
         elif tag == "use":
-            stack.extend((child, matrix, name or element.get("id", "")) for child in _repeated(element, by_id))
+            name = name or element.get("id", "")
+            stack.extend(_Shape(child, matrix, style, name) for child in _repeated(element, by_id))
+
+
+def _declared(element: Any) -> dict[str, str]:
+    """Presentation attributes, and what the attribute style puts in their place."""
+    declared = {key: value.strip() for key, value in element.attrib.items() if key in (*_PEN, "display")}
+    for declaration in element.get("style", "").split(";"):
+        key, _, value = declaration.partition(":")
+        declared[key.strip()] = value.partition("!")[0].strip()
+    return declared
 
 
 def _repeated(use: Any, by_id: dict[str, Any]) -> list[Any]:

@@ -1,17 +1,30 @@
 """A picture of why a curve bounds no disk, and of what would mend it."""
 
+import io
+from functools import partial
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch, Polygon
 from numpy.typing import NDArray
 
 from tween.colors import FAILURE, INK, PIVOT, TREE
+from tween.io.whole_files import AnyPath, write
 from tween.plot.shapes import outline_of
 from tween.triangulating.explanation import Explanation
 
 _MOST_MARKS = 400  # of one kind
+_SIZE = 6.4  # inches
+_DPI = 150
+_UNDATED = {
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None},
+    "png": {"Software": None},
+}  # equal pictures, equal bytes
 
 
 def draw_explanation(explanation: Explanation, ax: Axes | None = None) -> Axes:
@@ -55,6 +68,46 @@ def draw_explanation(explanation: Explanation, ax: Axes | None = None) -> Axes:
     ax.autoscale_view()
     ax.set_axis_off()
     return ax
+
+
+def save_explanation(path: AnyPath, explanation: Explanation) -> Path:
+    """Draw why a curve bounds no disk into a file.
+
+    Parameters
+    ----------
+    path : path-like
+        SVG, PNG or PDF.  It is written whole or not at all.
+    explanation : Explanation
+
+    Returns
+    -------
+    Path
+        That of the file.
+
+    Raises
+    ------
+    FileError
+        Where it cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from tween import decompose
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     why = decompose([[0, 0], [4, 4], [4, 0], [0, 3]]).explain()
+    ...     print(save_explanation(f"{folder}/why.svg", why).read_text()[:5])
+    <?xml
+    """
+    return write(path, {f".{kind}": partial(_picture, explanation, kind) for kind in _UNDATED})
+
+
+def _picture(explanation: Explanation, kind: str) -> bytes:
+    figure = Figure(figsize=(_SIZE, _SIZE), layout="constrained")
+    draw_explanation(explanation, figure.add_subplot())
+    stream = io.BytesIO()
+    with plt.rc_context({"svg.hashsalt": "tween"}):
+        figure.savefig(stream, format=kind, dpi=_DPI, metadata=_UNDATED[kind])
+    return stream.getvalue()
 
 
 def _draw_mended(ax: Axes, explanation: Explanation) -> None:

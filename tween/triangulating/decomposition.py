@@ -10,7 +10,6 @@ Geometry 2 (1992) 31-50.
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from operator import mul
 from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
@@ -84,18 +83,9 @@ class Decomposition:
     def count(self) -> int:
         """Exact number of triangulations, a Python int: Catalan(n-2) for a convex polygon.
 
-        One product of long integers a split, of which there are up to n**3/6; 0 where there is none.
+        0 where there is none.  Up to n**3/6 products, modulo each of as many primes as its size needs.
         """
-        if not self:
-            return 0
-        graph = self._full.graph
-        left, right, first = graph.left.tolist(), graph.right.tolist(), graph.first.tolist()
-        counts = [0] * graph.pairs
-        for pair in range(graph.pairs):
-            low, high = first[pair], first[pair + 1]
-            terms = map(mul, map(counts.__getitem__, left[low:high]), map(counts.__getitem__, right[low:high]))
-            counts[pair] = 1 if low == high else sum(terms)
-        return counts[graph.whole]
+        return self._full.count if self else 0
 
     def arbitrary(self, split: Literal["first", "last"] | None = None) -> Triangulation:
         """Return the first triangulation that the table yields.
@@ -247,7 +237,7 @@ class Decomposition:
         Returns
         -------
         list of Triangulation
-            One for each equivalence class of immersions, in the order of the reduced curve's table.
+            One for each equivalence class of immersions, in the order of the table.
 
         Raises
         ------
@@ -262,7 +252,8 @@ class Decomposition:
         all locally Delaunay.  So it is enough to list those: the same table, where a split counts
         only under a triangle whose third vertex is not in its circumcircle.  Of four cocircular vertices
         the one of smallest number counts as slightly lifted, exactly, so ties do not multiply the
-        answer.  The curve is reduced first, see `.reduction`, and the rest costs O(splits * n).  Exact.
+        answer.  A curve of more than 200 vertices is reduced first, see `.reduction`; the rest costs O(splits * n).
+        Exact.
 
         Examples
         --------
@@ -277,8 +268,11 @@ class Decomposition:
         self._require()
         if len(self._curves) > 1:
             raise TweenError(f"immersions belong to one curve, but {len(self._curves)} were decomposed together")
-        table = self._reduced or Table(self._points[:, self._reduction.kept])
-        return [self._restored(triangles) for triangles in table.delaunay()]
+        if self._reduced is not None:
+            return [self._restored(triangles) for triangles in self._reduced.delaunay()]
+        if len(self._curves[0].crossings) == 0:  # a simple polygon; ties alone could take long
+            return [remesh(self.arbitrary())]
+        return [self._triangulation(triangles) for triangles in self._full.delaunay()]
 
     def explain(self) -> "Explanation":
         """Say why there is no triangulation, where, and what would mend the curve.

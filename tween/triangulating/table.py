@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import TweenError
+from tween.triangulating.counting import count_exactly
 from tween.triangulating.table_kernels import (
     count_in_floats,
     delaunay_splits,
@@ -94,6 +95,11 @@ class Table:
     def decomposes(self) -> bool:
         """Whether the whole curves have a triangulation."""
         return bool(find_pair(self._first, self._last, self._ends, 0, self._n - 1) >= 0)
+
+    @property
+    def count(self) -> int:
+        """The exact number of triangulations of the whole curves."""
+        return count_exactly(self._points, self._first, self._last, self._ends)
 
     def walk(self, take_last: bool = False) -> NDArray[np.int64]:
         """Find the triangulation, (n-2, 3), of the first or the last splits."""

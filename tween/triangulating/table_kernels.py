@@ -18,7 +18,7 @@ from tween.geometry.predicates import in_circumcircle, orient2d_sign, turn
 
 
 @njit(cache=True)
-def _left_turn(points, i, k, j):
+def left_turn(points, i, k, j):
     """Whether i, k, j is a left turn in every curve."""
     for c in range(points.shape[0]):
         if turn(points[c], i, k, j) <= 0:
@@ -84,7 +84,7 @@ def find_pairs(points, most):
                 j = ends[place]
                 if decided_for[j] == i:
                     continue
-                if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else _left_turn(points, i, k, j):
+                if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else left_turn(points, i, k, j):
                     # the last edge of the curve leaves through no interior angle: it bounds two
                     is_edge = i == 0 and j == n - 1
                     decided_for[j] = i  # either way: which k found the pair does not matter
@@ -124,7 +124,7 @@ def walk(points, first, last, ends, n, take_last):
         low, high = first[i], last[i]
         for step in range(high - low):  # ends at a break: a pair that holds has a split
             k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
-            if k < j and find_pair(first, last, ends, k, j) >= 0 and _left_turn(points, i, k, j):
+            if k < j and find_pair(first, last, ends, k, j) >= 0 and left_turn(points, i, k, j):
                 break
         triangles[t] = i, k, j
         stack.append((k, j))
@@ -147,7 +147,7 @@ def needed_pairs(points, first, last, ends, pairs):
         for left in range(first[i], pair):  # the part of row i where k < j
             k = ends[left]
             right = find_pair(first, last, ends, k, j)
-            if right >= 0 and _left_turn(points, i, k, j):
+            if right >= 0 and left_turn(points, i, k, j):
                 needed[left] = needed[right] = True
                 total += 1
     return needed, total
@@ -166,7 +166,7 @@ def list_splits(points, first, last, ends, pairs, needed, total):
             for left in range(first[i], pair):
                 k = ends[left]
                 right = find_pair(first, last, ends, k, j)
-                if right >= 0 and _left_turn(points, i, k, j):
+                if right >= 0 and left_turn(points, i, k, j):
                     apex[size], lefts[size], rights[size] = k, left, right
                     size += 1
         splits[pair + 1] = size  # a pair that is not needed has no splits, like an edge of the curve

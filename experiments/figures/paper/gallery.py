@@ -19,10 +19,10 @@ def title(number: int, name: str, m: Morph) -> str:
 @drawing(
     "figure_11_pairs",
     "Figure 11",
-    """Seven morphs between self-overlapping curves, every shape as large as the others; beside its time stands
-    at which scale it is drawn, that of the source being 1.  The triangulations of the
-    first three pairs are compatible; those of the last four are flipped into each other, and the third shape is that
-    of the last flip, close to the disk.  Dots mark matched pivots.  A colour is a place along the source; it
+    """Seven morphs between self-overlapping curves in even steps of time, every shape as large as the others; beside
+    its time stands at which scale it is drawn, that of the source being 1.  The triangulations of the first three pairs
+    are compatible; those of the last four are flipped into each other, most of it close to the disk, through which the
+    morph leads.  Dots mark matched pivots.  A colour is a place along the source; it
     stays with the vertices.  Which of two layers is drawn on top means nothing.  The paper's curves are unpublished;
     ours are stand-ins, compatible in the rows where its own are.""",
 )

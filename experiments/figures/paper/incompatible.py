@@ -98,7 +98,7 @@ def draw_diagonals(ax: Axes, T: Triangulation, known: Triangulation, width: floa
     "Figure 9",
     """The same two curves with matched pivots (below) and a quarter of the vertices away from that (above).
     The dot is the source's pivot, at the end of the L: matched, it becomes an end of the ribbon, otherwise a place
-    in its middle.  The third shape is that of the last flip.  A colour is a place along the source; it stays with the
+    in its middle.  Times are even, scales beside them.  A colour is a place along the source; it stays with the
     vertices.  The paper's curves are unpublished; ours are stand-ins.""",
 )
 def figure_9() -> Figure:

@@ -11,13 +11,12 @@ from matplotlib.ticker import NullLocator
 from numpy.typing import NDArray
 
 from experiments.figures.registry import WIDTH, drawing
-from experiments.figures.rows import SHAPES, draw_layers, places, time_label
+from experiments.figures.rows import TIMES, draw_layers, places, time_label
+from experiments.measures import swelling
 from experiments.store import RESULTS
-from experiments.studies.matching import swelling
 from tween import Morph, Triangulation, area_matrix, gallery, morph, paper_morph
 from tween import plot as draw
 
-TIMES = np.linspace(0, 1, SHAPES)
 # Of a pair in the first figure, in inches: room for labels left, above, below and between shapes; narrowest, tallest.
 MARGIN, ABOVE, BELOW, GAP, COLUMN, TALLEST = 0.95, 0.24, 0.24, 0.1, 0.5, 1.2
 LABELS = {
@@ -33,7 +32,7 @@ LABELS = {
     "as_rigid_as_possible_matched": "as rigid as possible",
 }
 PANELS = {"AR_1e-4": "AR at 1e-4", "Var": "Var", "swelling": "swelling", "path_length": "path length"}
-TICKS = {"Var": [1e-12, 1e-8, 1e-4, 1], "swelling": [1, 10, 100], "path_length": [0.3, 1, 3, 10]}
+TICKS = {"Var": [1e-10, 1e-5, 1], "swelling": [1, 10, 100], "path_length": [0.3, 1, 3, 10]}
 
 
 @drawing(

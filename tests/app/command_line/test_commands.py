@@ -2,22 +2,18 @@
 
 import json
 import re
-import shlex
 import xml.etree.ElementTree as ElementTree
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from files import FIXTURES
-from PIL import Image
 from terminal import EIGHT, Run, write_points
 
 import tween
 from tween import gallery, io
-from tween.app.command_line import commands
 from tween.app.playground.hand_drawn import MOST_COUNTED
-from tween.plot import animation
 
 
 def test_info_says_what_the_library_says(run: Run) -> None:
@@ -37,6 +33,7 @@ def test_info_says_what_the_library_says(run: Run) -> None:
         "area": curve.area,
         "triangulations": answer.count,
         "immersions": 2,
+        "explanation": None,
     }
 
 
@@ -114,82 +111,6 @@ def test_triangulate_writes_the_triangulation_asked_for(options: str, expected: 
         assert np.array_equal(file["triangles"], wanted.triangles)
 
 
-@pytest.mark.parametrize(
-    ("line", "options"),
-    [
-        ("", {"path": "metric", "guarantee": True}),
-        ("--path slide --no-guarantee --strategy paper", {"path": "slide", "guarantee": False, "strategy": "paper"}),
-        ("--path area --root tree-center", {"path": "area", "root": "tree-center", "guarantee": True}),
-        ("--root 3 --strategy paper", {"path": "metric", "root": 3, "strategy": "paper", "guarantee": True}),
-        ("--strategy common --placement root", {"strategy": "common", "placement": "root"}),
-        ("--landmark 0:0", {"landmarks": [(0, 0)]}),
-    ],
-)
-def test_morph_writes_the_morph_of_the_library(line: str, options: Any, run: Run) -> None:
-    status, out, err = run(f"morph gallery:arrow gallery:ell -o m.npz --frames 7 {line}")
-    assert (status, err) == (0, "")
-    m = tween.morph(gallery.curve("arrow"), gallery.curve("ell"), **options)
-    assert f"wrote m.npz: 7 frames of {len(m.source)} vertices, {len(m.events) or 'no'} flips" in out
-    assert np.array_equal(io.read_frames("m.npz")[0], m.frames(7))
-
-
-def test_the_word_disk_is_the_disk_of_the_other_curve(run: Run) -> None:
-    for ends in ("gallery:ell disk", "disk gallery:ell"):
-        assert run(f"morph {ends} -o {ends[:4]}.npz --frames 5")[0] == 0
-    there, back = (io.read_frames(f"{name}.npz")[0] for name in ("gall", "disk"))
-    assert np.array_equal(there[0], gallery.curve("ell").points)
-    assert np.allclose(np.ptp(np.linalg.norm(there[-1] - there[-1].mean(axis=0), axis=1)), 0, atol=0.2)
-    assert np.allclose(there, back[::-1])
-
-
-def test_certify_says_whether_every_shape_bounds_a_disk(run: Run) -> None:
-    line = "morph gallery:three_lobes disk --path area -o m.npz"
-    status, out, _ = run(f"{line} --certify --no-guarantee")
-    assert status == 1
-    assert "add up to" in out
-    assert "refuted" in out.splitlines()[-1]
-    assert run("certify m.npz")[0] == 1
-    status, out, _ = run(f"{line} --certify")
-    assert status == 0
-    assert out.splitlines()[-1].endswith("checked for every instant of playback at 61 frames")
-    assert run("certify m.npz")[0] == 0
-
-
-def test_without_certify_the_last_line_says_what_is_known(run: Run) -> None:
-    line = "morph gallery:ell disk --frames 2 -o m.npz"
-    assert run(line)[1].endswith("promised to be valid, not checked (--certify checks it)\n")
-    assert run(f"{line} --no-guarantee")[1].endswith("no flips, not checked (--certify checks it)\n")
-
-
-def test_the_options_of_the_film_reach_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-
-    seen: dict[str, Any] = {}
-    monkeypatch.setattr(animation, "save_animation", lambda path, m, **options: seen.update(options))
-    line = "--frames 9 --fps 12 --size 64x48 --style outline --no-ease --once"
-    assert run(f"morph gallery:ell disk -o m.gif {line}")[0] == 0
-    assert seen == {
-        "frames": 9,
-        "fps": 12,
-        "size": (64, 48),
-        "style": "outline",
-        "ease": False,
-        "there_and_back": False,
-    }
-    assert run("morph gallery:ell disk -o m.gif --size 64")[0] == 0
-    assert (seen["size"], seen["ease"], seen["there_and_back"]) == (64, True, True)
-
-
-def test_what_is_being_done_is_said_on_stderr_when_asked(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    line = "morph gallery:ell disk -o m.npz --certify"
-    status, quiet, err = run(line)
-    assert (status, err) == (0, "")
-    status, out, err = run(f"{line} --verbose")
-    assert (status, out) == (0, quiet)
-    assert [words.split()[0] for words in err.splitlines()] == ["reading", "matching", "certifying", "writing"]
-    monkeypatch.setattr(commands, "_PATIENCE", 0.0)
-    assert "compiles its kernels" in run(f"{line} -v")[2]
-
-
 def test_frames_that_were_tampered_with_are_refuted(run: Run) -> None:
     assert run("morph gallery:ell disk -o m.json --frames 5")[0] == 0
     status, out, _ = run("certify m.json")
@@ -217,18 +138,88 @@ def test_a_number_that_could_not_be_measured_is_null(run: Run) -> None:
     assert json.loads(out, parse_constant=pytest.fail)["min_area"] is None
 
 
-def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
-    drawing = shlex.quote(str(FIXTURES / "drawing.svg"))
-    status, out, err = run(f"info {drawing} --select path1 --pen 8 --json")
-    answer = json.loads(out)
+# Repair
+
+
+def test_info_says_what_would_mend_a_curve_and_draws_it(run: Run) -> None:
+    write_points("eight.csv", EIGHT)
+    explanation = tween.decompose(EIGHT).explain()
+    status, out, err = run("info eight.csv -o why.svg")
+    assert (status, err) == (1, "")
+    assert str(explanation).splitlines()[1:] == out.splitlines()[-len(str(explanation).splitlines()) : -1]
+    assert out.endswith("wrote why.svg\n")
+    assert json.loads(run("info eight.csv --json")[1])["explanation"] == explanation.to_dict()
+    picture = Path("why.svg").read_bytes()
+    assert ElementTree.fromstring(picture).tag == "{http://www.w3.org/2000/svg}svg"
+    run("info eight.csv -o why.svg")
+    assert Path("why.svg").read_bytes() == picture
+    for name, start in (("why.png", b"\x89PNG"), ("why.pdf", b"%PDF")):
+        assert run(f"info eight.csv -o {name}")[0] == 1
+        assert Path(name).read_bytes().startswith(start)
+
+
+def noisy(name: str, points: int = 900) -> np.ndarray:
+    outline = gallery.curve(name).insert_vertices(points).points
+    return outline + np.random.default_rng(0).normal(0, 0.03, outline.shape)
+
+
+def test_clean_writes_a_curve_that_bounds_a_disk_and_says_what_it_changed(run: Run) -> None:
+    write_points("noisy.csv", noisy("arrow"))
+    assert run("info noisy.csv")[0] == 1
+    status, out, err = run("clean noisy.csv --smooth 0.2 -o clean.csv")
     assert (status, err) == (0, "")
-    assert (answer["bounds_disk"], answer["crossings"], answer["immersions"]) == (True, 4, 1)
-    select = "--select-source path1 --select-target path2 --pen 8"
-    way = f"morph {drawing} {drawing} {select} --frames 5 --size 80 --certify"
-    for name in ("loop.gif", "loop.svg"):
-        status, out, err = run(f"{way} -o {name}")
-        assert (status, err) == (0, "")
-        assert out.startswith("valid at every instant of playback\n")
-    with Image.open("loop.gif") as film:
-        assert film.n_frames == 5  # there, and back
-    assert ElementTree.parse("loop.svg").getroot().tag == "{http://www.w3.org/2000/svg}svg"
+    expected = tween.clean(np.loadtxt("noisy.csv", delimiter=","), smooth=0.2)
+    assert out.splitlines()[1:] == [*str(expected.changes).splitlines(), "wrote clean.csv"]
+    assert np.array_equal(io.read_curve("clean.csv").points, expected.points)
+    assert run("info clean.csv")[0] == 0
+    facts = json.loads(run("clean noisy.csv --smooth 0.2 --vertices 90 -o clean.csv --json")[1])
+    assert (facts["bounds_disk"], facts["vertices"], facts["written"]) == (True, 90, "clean.csv")
+
+
+def test_clean_says_where_no_disk_comes_of_it(run: Run) -> None:
+    write_points("eight.csv", EIGHT)
+    status, out, _ = run("clean eight.csv --smooth 0.01 -o clean.csv")
+    assert status == 1
+    assert "bounds no disk: turning number is 0, not 1" in out
+    assert Path("clean.csv").exists()
+
+
+@pytest.mark.parametrize(
+    "line", ["info noisy.csv", "triangulate noisy.csv", "morph noisy.csv gallery:ell -o m.npz --frames 3"]
+)
+def test_every_command_that_reads_a_curve_cleans_it_when_asked(line: str, run: Run) -> None:
+    write_points("noisy.csv", noisy("arrow"))
+    assert run(line)[0] in (1, 2)
+    status, out, err = run(f"{line} --smooth 0.2")
+    assert status == 0
+    assert out
+    assert re.fullmatch(r"tween: note: noisy.csv: smoothed by 0.1 of 0.2 allowed: moved by .*\n", err)
+
+
+# No silent loss
+
+
+def test_what_is_not_used_of_a_file_is_said_in_one_line(run: Run) -> None:
+    Path("a.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H9V9Z"/><text>a</text></svg>')
+    status, out, err = run("info a.svg --json")
+    assert (status, err) == (0, "tween: note: a.svg: not used: 1 text\n")
+    assert json.loads(out)["bounds_disk"]
+
+
+def test_a_line_that_bounds_no_disk_suggests_its_pen(run: Run) -> None:
+    """Without the suggestion, a drawn figure of eight is only told that it bounds no disk."""
+    line = '<path id="a" d="M0 0L20 20L20 0L0 20Z" fill="none" stroke="#000" stroke-width="2"/>'
+    Path("a.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{line}</svg>')
+    status, out, err = run("info a.svg")
+    assert (status, err) == (1, "")
+    assert "perhaps the line is meant: the pen of 'a', 2 wide (--pen 2," in out
+    status, out, err = run("triangulate a.svg")
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert "--pen 2" in err
+    assert run("info a.svg --pen 2")[0] == 0
+
+
+def test_standard_input_and_path_data_are_read(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdin", TextIOWrapper(BytesIO(b"0,0\n9,0\n9,9\n")))
+    assert run("info -")[1].startswith("- bounds an immersed disk\n")
+    assert json.loads(run("info --json", "M0 0H9V9H0Z")[1])["area"] == 81

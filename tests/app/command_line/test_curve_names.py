@@ -3,7 +3,6 @@
 import json
 import re
 from itertools import chain
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +10,7 @@ from terminal import Run
 
 from tween import gallery, io
 from tween.app.command_line import curve_names
-from tween.errors import FileError, TweenError
+from tween.errors import TweenError
 
 
 def test_the_gallery_lists_everything_by_names_that_are_understood(run: Run) -> None:
@@ -26,7 +25,7 @@ def test_the_gallery_lists_everything_by_names_that_are_understood(run: Run) -> 
     for entry in chain.from_iterable(listed.values()):
         assert re.search(rf"^  {re.escape(entry['name'])} .*{re.escape(entry['about'])}$", out, re.MULTILINE)
         ends = ("/source", "/target") if isinstance(entry["vertices"], list) else ("",)
-        found = [len(curve_names.read_shape(entry["name"] + end)) for end in ends]
+        found = [len(curve_names.named(entry["name"] + end)) for end in ends]
         assert found == np.atleast_1d(entry["vertices"]).tolist()
 
 
@@ -36,7 +35,7 @@ def test_a_curve_of_the_gallery_is_written(word: str, run: Run) -> None:
     assert entry["written"] == "out.json"
     curve = io.read_curve("out.json")
     assert len(curve) == entry["vertices"]
-    assert np.array_equal(curve.points, curve_names.read_shape(entry["name"]).points)
+    assert np.array_equal(curve.points, curve_names.named(entry["name"]).points)
 
 
 EVERY = [
@@ -53,28 +52,19 @@ def test_the_full_name_of_a_curve_is_found_from_its_short_one_and_stays(name: st
     assert curve_names.full_name(full) == full
     described = curve_names.describe(full)
     assert described["name"] == full
-    assert described["vertices"] == len(curve_names.read_shape(full))
+    assert described["vertices"] == len(curve_names.named(full))
 
 
 def test_the_two_ends_of_a_pair_are_its_curves_in_order() -> None:
     for name in gallery.pairs():
         for end, curve in zip(("source", "target"), gallery.pair(name), strict=True):
-            assert np.array_equal(curve_names.read_shape(f"pair:{name}/{end}").points, curve.points)
-
-
-def test_a_file_goes_before_a_curve_of_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(FileError, match="no file 'ell'; the curve that comes with tween is gallery:ell"):
-        curve_names.read_shape("ell")
-    Path("ell").write_text("0,0\n1,0\n1,1\n")
-    with pytest.raises(FileError, match=r"^ell: has the suffix ''"):
-        curve_names.read_shape("ell")
+            assert np.array_equal(curve_names.named(f"pair:{name}/{end}").points, curve.points)
 
 
 @pytest.mark.parametrize("word", ["gallery:square", "letter:ab", "pair:none/source", "pair:e_to_l", "gallery:"])
 def test_what_does_not_come_with_tween_is_refused(word: str) -> None:
     with pytest.raises(TweenError):
-        curve_names.read_shape(word)
+        curve_names.named(word)
 
 
 def test_the_listing_has_a_line_for_each_in_columns() -> None:
@@ -82,3 +72,9 @@ def test_the_listing_has_a_line_for_each_in_columns() -> None:
     entries = list(chain.from_iterable(curve_names.everything().values()))
     assert [line.split()[0] for line in lines] == [entry["name"] for entry in entries]
     assert len({line.index(entry["about"]) for line, entry in zip(lines, entries, strict=True)}) == 1
+
+
+def test_every_name_is_the_name_of_a_curve() -> None:
+    assert [name.partition(":")[2] for name in curve_names.every_name()] == EVERY
+    assert all(curve_names.is_full(name) for name in curve_names.every_name())
+    assert not any(map(curve_names.is_full, ["gallery", "ell", "a:b", "-", "M0 0", ":"]))

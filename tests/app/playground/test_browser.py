@@ -24,7 +24,7 @@ import numpy as np
 import pytest
 
 from tween import gallery, verify
-from tween.io.read_write import read_frames
+from tween.io.frames import read_frames
 
 ROOT = Path(__file__).resolve().parents[3]
 NOTEBOOK = "10_playground.ipynb"

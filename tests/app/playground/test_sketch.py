@@ -12,7 +12,8 @@ from tween.app.playground.footage import FRAMES
 from tween.app.playground.sketch import KINDS, OPTIONS, TRIANGULATIONS, Sketch
 from tween.choices import PATHS
 from tween.errors import FileError
-from tween.io.read_write import read_curve, read_frames
+from tween.io.frames import read_frames
+from tween.io.reading import read_curve
 
 
 @pytest.mark.parametrize("path", PATHS)

@@ -144,3 +144,15 @@ def test_any_other_root_is_refused_with_what_was_expected(root) -> None:
     T = random_disk(30, np.random.default_rng(0))
     with pytest.raises(ValueError, match="expected 'disk-center', 'tree-center' or a triangle from 0 to 27"):
         root_triangle(root, T)
+
+
+@pytest.mark.parametrize("root", [None, True, np.True_, 1.5, float("nan"), float("inf"), "3", -1, 2, [0]])
+def test_a_root_that_is_no_triangle_is_refused(root: object) -> None:
+    square = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+    with pytest.raises(ValueError, match="expected 'disk-center', 'tree-center' or a triangle from 0 to 1"):
+        root_triangle(root, square)
+
+
+@pytest.mark.parametrize("root", [1, np.int64(1), np.uint8(1), 1.0])
+def test_a_root_is_any_whole_number_of_a_triangle(root: object) -> None:
+    assert root_triangle(root, Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])) == 1

@@ -1,67 +1,83 @@
 """What the commands of `tween` do: each takes the parsed options, prints, and returns the exit status."""
 
-import argparse
 import json
 import math
 import sys
-import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from pathlib import Path
+from collections.abc import Iterator
+from types import SimpleNamespace as Options
 from typing import Any
 
 import numpy as np
 
 from tween import io
 from tween.app.command_line import curve_names
+from tween.app.command_line.morphing import morph
+from tween.app.command_line.shapes import Reading, read_points, read_shape
+from tween.app.command_line.stages import check_output, stage
+from tween.app.command_line.warming import warmup
 from tween.app.playground.hand_drawn import MOST_COUNTED
 from tween.errors import FileError, NotSelfOverlappingError, TweenError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
+from tween.io.outlines import label
+from tween.io.whole_files import naming
 from tween.measuring.certificate import Certificate, verify
-from tween.measuring.certificate import certify as certificate_of
 from tween.measuring.find_triangles import find_triangles
-from tween.morphing.morph import Morph
-from tween.morphing.strategy import morph as morph_between
+from tween.triangulating.cleaning import clean as cleaned
 from tween.triangulating.costs import smallest_angle
 from tween.triangulating.decomposition import Decomposition, decompose
 from tween.triangulating.decomposition import triangulate as delaunay
 
+__all__ = ["certify", "clean", "gallery", "info", "morph", "triangulate", "warmup"]
+
+_CURVES = (".svg", ".csv", ".json", ".geojson", ".npz", ".npy")
 _TRIANGULATIONS = (".obj", ".json", ".npz", ".svg")
-_FRAMES = (".npz", ".json", ".csv")
-_PATIENCE = 3.0  # seconds
-_WHY_LONG = "still at it; on its first runs tween compiles its kernels, which takes up to a minute, once"
+_PICTURES = (".svg", ".png", ".pdf")
 
 
-def info(options: argparse.Namespace) -> int:
-    """Say whether a curve bounds an immersed disk, and what else is known of it.
+def info(options: Options) -> int:
+    """Say whether a curve bounds an immersed disk, what else is known of it, and what would mend it.
 
     Parameters
     ----------
-    options : Namespace
-        file, select, tolerance, pen, json, count, verbose.
+    options : SimpleNamespace
+        file, select, tolerance, pen, smooth, output, json, count, verbose.
 
     Returns
     -------
     int
         0 where it does, 1 where not.
     """
-    curve = curve_names.read_shape(options.file, options.select, options.tolerance, options.pen)
-    with _stage(options, f"looking at {len(curve)} vertices"):
-        facts = _facts(curve, options.count)
+    check_output(options.output, _PICTURES, [options.file])
+    shape = read_shape(options.file, options.select, Reading(options.tolerance, options.pen, options.smooth))
+    with stage(options.verbose, f"looking at {len(shape.curve)} vertices"):
+        answer = decompose(shape.curve)
+        facts = _facts(shape.curve, answer, options.count)
+        explanation = answer.explain() if options.output or not answer else None
     name = options.file if options.select is None else f"{options.file} ({options.select})"
+    if options.output:
+        from tween.plot.explanation import save_explanation  # here, as it imports matplotlib
+
+        save_explanation(options.output, explanation or answer.explain())
     if options.json:
-        print(json.dumps({"curve": name, **facts}))
-    else:
-        print(f"{name} bounds an immersed disk" if not facts["reason"] else f"{name} bounds no disk: {facts['reason']}")
-        for key, value in _told(facts):
-            print(f"  {key:<15} {value}")
-    return 0 if facts["bounds_disk"] else 1
+        why = None if answer or explanation is None else explanation.to_dict()
+        print(json.dumps({"curve": name, **facts, "explanation": why}))
+        return 0 if answer else 1
+    print(f"{name} bounds an immersed disk" if answer else f"{name} bounds no disk: {facts['reason']}")
+    for key, value in _told(facts):
+        print(f"  {key:<15} {value}")
+    for line in str(explanation).splitlines()[1:] if explanation is not None and not answer else []:
+        print(line)
+    if not answer and shape.hint:
+        print(shape.hint)
+    if options.output:
+        print(f"wrote {options.output}")
+    return 0 if answer else 1
 
 
-def _facts(curve: Curve, count: bool) -> dict[str, Any]:
+def _facts(curve: Curve, answer: Decomposition, count: bool) -> dict[str, Any]:
     """What `info` knows; None for what was left out."""
-    answer, meetings = decompose(curve), curve.crossings
+    meetings = curve.crossings
     sys.set_int_max_str_digits(0)  # a count may have more digits than Python prints unasked
     return {
         "bounds_disk": bool(answer),
@@ -97,23 +113,54 @@ def _told(facts: dict[str, Any]) -> Iterator[tuple[str, Any]]:
     yield "immersed disks", "too many splits to tell" if facts["immersions"] is None else facts["immersions"]
 
 
-def triangulate(options: argparse.Namespace) -> int:
+def clean(options: Options) -> int:
+    """Make a curve that can be used of a noisy stroke, write it, and say what that changed.
+
+    Parameters
+    ----------
+    options : SimpleNamespace
+        file, select, tolerance, pen, output, smooth, close, vertices, json, verbose.
+
+    Returns
+    -------
+    int
+        0 where the curve bounds a disk, 1 where not.
+    """
+    check_output(options.output, _CURVES, [options.file])
+    points = read_points(options.file, options.select, Reading(options.tolerance, options.pen))
+    with stage(options.verbose, f"cleaning {len(points)} points"), naming(label(options.file)):
+        curve = cleaned(points, options.smooth, options.close, options.vertices)
+    io.write_curve(options.output, curve)
+    if options.json:
+        facts = {"curve": options.file, "vertices": len(curve), **curve.changes.to_dict()}
+        print(json.dumps({**facts, "written": options.output}))
+    else:
+        print(f"{options.file}: {len(points)} points became {len(curve)} vertices")
+        print(curve.changes)
+        print(f"wrote {options.output}")
+    return 0 if curve.changes.bounds_disk else 1
+
+
+def triangulate(options: Options) -> int:
     """Triangulate the immersed disk that a curve bounds.
 
     Parameters
     ----------
-    options : Namespace
-        file, select, tolerance, pen, output, random, arbitrary, verbose.
+    options : SimpleNamespace
+        file, select, tolerance, pen, smooth, output, random, arbitrary, verbose.
 
     Returns
     -------
     int
         0.
     """
-    _check_output(options.output, _TRIANGULATIONS, [options.file])
-    curve = curve_names.read_shape(options.file, options.select, options.tolerance, options.pen)
-    with _stage(options, f"triangulating {len(curve)} vertices"):
-        T, kind = _triangulation(curve, options)
+    check_output(options.output, _TRIANGULATIONS, [options.file])
+    shape = read_shape(options.file, options.select, Reading(options.tolerance, options.pen, options.smooth))
+    with stage(options.verbose, f"triangulating {len(shape.curve)} vertices"):
+        try:
+            T, kind = _triangulation(shape.curve, options)
+        except NotSelfOverlappingError:
+            raise shape.fault() from None
     angle = math.degrees(-smallest_angle(T.points)(T.triangles).max())
     size = f"{len(T)} vertices, {len(T.triangles)} triangles ({kind})"
     print(f"{options.file}: {size}, smallest angle {angle:.2g} degrees")
@@ -123,89 +170,23 @@ def triangulate(options: argparse.Namespace) -> int:
     return 0
 
 
-def _triangulation(curve: Curve, options: argparse.Namespace) -> tuple[Triangulation, str]:
+def _triangulation(curve: Curve, options: Options) -> tuple[Triangulation, str]:
     if options.random is None and not options.arbitrary:
         return delaunay(curve), "constrained Delaunay"
     answer = decompose(curve)
     if not answer:
-        raise NotSelfOverlappingError(f"the curve bounds no immersed disk: {answer.reason}")
+        raise NotSelfOverlappingError(answer.reason)
     if options.arbitrary:
         return answer.arbitrary("first"), "the first of the table"
     return answer.sample(np.random.default_rng(options.random)), f"drawn at random, seed {options.random}"
 
 
-def morph(options: argparse.Namespace) -> int:
-    """Morph one curve into another, or into a disk, and write the frames.
-
-    Parameters
-    ----------
-    options : Namespace
-        As `build_parser` reads them.
-
-    Returns
-    -------
-    int
-        0; 1 where the morph was to be certified and is refuted.
-    """
-    write = _writer(options)
-    source, target = _ends(options)
-    with _stage(options, "matching and morphing"):
-        words = ("path", "guarantee", "strategy", "placement", "root", "landmarks")
-        m = morph_between(source, target, **{name: getattr(options, name) for name in words})
-    certificate = None
-    if options.certify:
-        with _stage(options, "certifying"):
-            certificate = certificate_of(m, options.frames)
-    with _stage(options, f"writing {options.frames} frames"):
-        write(m)
-    if certificate is not None:
-        print(certificate)
-    flips = f"{len(m.events) or 'no'} flip{'' if len(m.events) == 1 else 's'}"
-    summary = f"{options.frames} frames of {len(m.source)} vertices, {flips}, {_trust(m, certificate)}"
-    print(f"wrote {options.output}: {summary}")
-    return 0 if certificate is None or certificate.valid else 1
-
-
-def _writer(options: argparse.Namespace) -> Callable[[Morph], object]:
-    """How the morph is to be written, or why it cannot be."""
-    inputs = [options.source, options.target]
-    if Path(options.output).suffix.lower() in _FRAMES:
-        _check_output(options.output, _FRAMES, inputs)
-        return lambda m: io.write_frames(options.output, m, options.frames)
-    from tween.plot import animation  # here, as it imports matplotlib
-
-    _check_output(options.output, (*animation.formats(), *_FRAMES), inputs)
-    animation.check_format(options.output, options.fps)
-    chosen = {name: getattr(options, name) for name in ("frames", "fps", "size", "style", "ease")}
-    return lambda m: animation.save_animation(options.output, m, **chosen, there_and_back=not options.once)
-
-
-def _ends(options: argparse.Namespace) -> tuple[Curve | Triangulation, Curve | Triangulation]:
-    """Source and target; the word disk stands for the disk of the other one."""
-    words = (options.source, options.select_source), (options.target, options.select_target)
-    with _stage(options, f"reading {options.source} and {options.target}"):
-        shapes = [curve_names.read_shape(*word, options.tolerance, options.pen) for word in words if word[0] != "disk"]
-    if len(shapes) == 2:
-        return shapes[0], shapes[1]
-    if not shapes:
-        raise FileError("one of A and B has to be a curve: a disk is that of the other one")
-    T = delaunay(shapes[0])
-    return (T.on_disk(), T) if options.source == "disk" else (T, T.on_disk())
-
-
-def _trust(m: Morph, certificate: Certificate | None) -> str:
-    if certificate is not None:
-        checked = f"checked for every instant of playback at {certificate.frames_checked} frames"
-        return checked if certificate.valid else "refuted: not every shape bounds an immersed disk"
-    return "promised to be valid, not checked (--certify checks it)" if m.proof else "not checked (--certify checks it)"
-
-
-def certify(options: argparse.Namespace) -> int:
+def certify(options: Options) -> int:
     """Check whether every frame of a file bounds an immersed disk, and every instant of straight motion between them.
 
     Parameters
     ----------
-    options : Namespace
+    options : SimpleNamespace
         file, frames_only, json.
 
     Returns
@@ -237,12 +218,12 @@ def _certificate_facts(certificate: Certificate) -> dict[str, Any]:
     return {key: None if isinstance(value, float) and math.isnan(value) else value for key, value in facts.items()}
 
 
-def gallery(options: argparse.Namespace) -> int:
+def gallery(options: Options) -> int:
     """List the curves that come with tween, or write one.
 
     Parameters
     ----------
-    options : Namespace
+    options : SimpleNamespace
         name, output, json.
 
     Returns
@@ -258,44 +239,9 @@ def gallery(options: argparse.Namespace) -> int:
     word = curve_names.full_name(options.name)
     entry = curve_names.describe(word)
     if options.output:
-        io.write_curve(options.output, curve_names.read_shape(word))
+        io.write_curve(options.output, curve_names.named(word))
         entry["written"] = options.output
     print(json.dumps(entry) if options.json else curve_names.line(entry))
     if options.output and not options.json:
         print(f"wrote {options.output}")
     return 0
-
-
-# What all commands share
-
-
-def _check_output(output: str | None, suffixes: Sequence[str], inputs: Sequence[str]) -> None:
-    """Refuse before the work what could not be written after it."""
-    if output is None:
-        return
-    path = Path(output)
-    if path.suffix.lower() not in suffixes:
-        raise FileError(f"cannot write {output}: expected a name that ends in one of {', '.join(suffixes)}")
-    if not path.parent.is_dir():
-        raise FileError(f"cannot write {output}: there is no folder {str(path.parent)!r}")
-    if path.is_dir():
-        raise FileError(f"cannot write {output}: it is a folder")
-    for word in inputs:
-        if path.exists() and Path(word).exists() and path.samefile(word):
-            raise FileError(f"cannot write {output}: it is the input, which would be lost")
-
-
-@contextmanager
-def _stage(options: argparse.Namespace, doing: str) -> Iterator[None]:
-    """Say on stderr what is being done, and why that takes long where it does."""
-    if not (options.verbose or sys.stderr.isatty()):
-        yield
-        return
-    print(f"{doing} ...", file=sys.stderr)
-    patience = threading.Timer(_PATIENCE, print, [_WHY_LONG], {"file": sys.stderr})
-    patience.daemon = True
-    patience.start()
-    try:
-        yield
-    finally:
-        patience.cancel()

@@ -1,34 +1,36 @@
-"""Shapes by the words that people type: files, and the curves that come with tween.
+"""Names of the curves that come with tween: ``gallery:horseshoe``, ``letter:S``, ``pair:e_to_l/source``."""
 
-drawing.svg         a file              letter:S              handwriting
-gallery:horseshoe   a named curve       pair:e_to_l/source    an end of a named pair
-"""
-
-from pathlib import Path
 from typing import Any
 
 from tween import gallery
 from tween.errors import FileError
 from tween.geometry.curve import Curve
-from tween.io.read_write import read_curve, read_stroke
 
+_KINDS = ("gallery", "letter", "pair")
 _ENDS = ("source", "target")
 
 
-def read_shape(word: str, select: str | None = None, tolerance: float | None = None, pen: float | None = None) -> Curve:
-    """Read a curve from a file, or take one that comes with tween.
+def is_full(word: str) -> bool:
+    """Tell whether a word begins with the kind of a curve that comes with tween.
 
     Parameters
     ----------
     word : str
-        A path, ``gallery:NAME``, ``letter:X`` or ``pair:NAME/source``.
-    select : str, optional
-        Which curve of a file that has several.
-    tolerance : float, optional
-        How far the polygon may lie from the curves of an SVG file, in its units, see `tween.read_curve`.
-    pen : float, optional
-        How wide to draw the line that the file holds, see `tween.io.read_stroke`; without it, the line is the
-        curve itself.
+
+    Returns
+    -------
+    bool
+    """
+    return word.partition(":")[0] in _KINDS and ":" in word
+
+
+def named(word: str) -> Curve:
+    """Make a curve that comes with tween.
+
+    Parameters
+    ----------
+    word : str
+        ``gallery:NAME``, ``letter:X`` or ``pair:NAME/source``.
 
     Returns
     -------
@@ -36,27 +38,17 @@ def read_shape(word: str, select: str | None = None, tolerance: float | None = N
 
     Raises
     ------
-    FileError
-        Where there is no such file, or no curve in it.
-    CurveError
-        Where there is no curve of that name, or the points are none that tween can treat.
+    FileError, CurveError
+        Where there is none of that name; the message says what might be meant.
 
     Examples
     --------
-    >>> read_shape("letter:e")
+    >>> named("letter:e")
     Curve(62 vertices, turning number 1)
     """
     kind, _, name = word.partition(":")
-    if kind in ("gallery", "letter", "pair"):
-        if select is not None:
-            raise FileError(f"{word} is one curve: there is nothing to select by {select!r}")
-        return _named(kind, name)
-    if word in gallery.names() and not Path(word).exists():
-        raise FileError(f"there is no file {word!r}; the curve that comes with tween is gallery:{word}")
-    return read_curve(word, select, tolerance) if pen is None else read_stroke(word, pen, select, tolerance)
-
-
-def _named(kind: str, name: str) -> Curve:
+    if kind not in _KINDS:
+        raise FileError(f"{word!r} does not come with tween; expected gallery:NAME, letter:X or pair:NAME")
     if kind != "pair":
         return gallery.curve(name) if kind == "gallery" else gallery.letter(name)
     name, _, end = name.partition("/")
@@ -64,6 +56,22 @@ def _named(kind: str, name: str) -> Curve:
     if end not in _ENDS:
         raise FileError(f"pair:{name} is two curves: add /source or /target")
     return pair[_ENDS.index(end)]
+
+
+def every_name() -> list[str]:
+    """List the full names of all curves that come with tween.
+
+    Returns
+    -------
+    list of str
+
+    Examples
+    --------
+    >>> every_name()[0], every_name()[-1]
+    ('gallery:convex', 'pair:...')
+    """
+    ends = [f"pair:{name}/{end}" for name in gallery.pairs() for end in _ENDS]
+    return [*(f"gallery:{name}" for name in gallery.names()), *(f"letter:{c}" for c in gallery.letters()), *ends]
 
 
 def full_name(word: str) -> str:
@@ -77,7 +85,7 @@ def full_name(word: str) -> str:
     Returns
     -------
     str
-        As `read_shape` takes it; no check that there is such a curve.
+        No check that there is such a curve.
 
     Examples
     --------
@@ -115,13 +123,13 @@ def describe(word: str) -> dict[str, Any]:
     {'name': 'gallery:ell', 'vertices': 47, 'about': 'A tapering letter L: a single reflex corner.'}
     """
     kind, _, name = word.partition(":")
-    if kind not in ("gallery", "letter", "pair"):
+    if kind not in _KINDS:
         raise FileError(f"{word!r} does not come with tween; expected gallery:NAME, letter:X or pair:NAME")
     pair, _, end = name.partition("/")
     if kind == "pair" and not end:
         vertices: Any = [len(curve) for curve in gallery.pair(pair)]
     else:
-        vertices = len(read_shape(word))
+        vertices = len(named(word))
     if kind == "pair":
         about = gallery.describe_pair(pair)
     else:

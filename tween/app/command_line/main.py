@@ -1,6 +1,6 @@
 """The command `tween`: its exit statuses, and its words when something is wrong.
 
-Its options are in `.options`.  What the commands do is in `.commands`, which is imported when one of them
+Its options are in `.interface`.  What the commands do is in `.commands`, which is imported when one of them
 is to run, as it imports the kernels.
 """
 
@@ -9,7 +9,11 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 
-from tween.app.command_line.options import Misuse, build_parser
+import click
+from click.exceptions import Exit, NoSuchCommand
+
+from tween.app.command_line import completion
+from tween.app.command_line.interface import command_line
 from tween.errors import TweenError
 
 MISUSE, INTERRUPTED, NO_READER = 2, 130, 141
@@ -51,23 +55,35 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _complain(f"{error.filename or 'output'}: {error.strerror or error}", MISUSE)
     except MemoryError:
         return _complain("not enough memory", MISUSE)
-    except (Misuse, TweenError, ValueError) as error:  # a ValueError of the library says that an option is at fault
+    except click.ClickException as error:
+        return _complain(_in_words(error), MISUSE)
+    except (TweenError, ValueError) as error:  # a ValueError of the library says that an option is at fault
         return _complain(str(error), MISUSE)
 
 
 def _run(words: Sequence[str]) -> int:
-    parser = build_parser()
+    """As `click.Command.main` does, which would put errors into words of its own."""
+    answered = completion.complete(command_line)
+    if answered is not None:
+        return answered
     if not words:
-        parser.print_help(sys.stderr)
+        print(command_line.get_help(click.Context(command_line, info_name="tween")), file=sys.stderr)
         return MISUSE
     try:
-        options = parser.parse_args(words)
-    except SystemExit:  # after --help and --version
-        return 0
-    from tween.app.command_line import commands  # here, as it imports the kernels
+        with command_line.make_context("tween", list(words)) as context:
+            status: int = command_line.invoke(context)
+            return status
+    except Exit as end:  # after --help and --version
+        return end.exit_code
 
-    status: int = getattr(commands, options.command)(options)
-    return status
+
+def _in_words(error: click.ClickException) -> str:
+    """What click says, and where to look."""
+    said = error.format_message().rstrip(".")
+    if isinstance(error, NoSuchCommand) and not error.possibilities:
+        said += f"; expected one of {', '.join(command_line.commands)}"
+    context = getattr(error, "ctx", None)
+    return f"{said} (see {context.command_path if context else 'tween'} --help)"
 
 
 def _drop_output() -> None:

@@ -19,7 +19,8 @@ from tween.app.playground.hand_drawn import Shape, from_stroke, judge
 from tween.errors import FileError, TweenError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
-from tween.io.read_write import write_curve, write_frames
+from tween.io.frames import write_frames
+from tween.io.writing import write_curve
 from tween.morphing.morph import Morph
 from tween.morphing.strategy import morph
 from tween.plot.animation import save_animation

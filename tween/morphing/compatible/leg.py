@@ -260,7 +260,7 @@ def root_triangle(root: str | int, *shapes: Triangulation) -> int:
     if root == "tree-center":
         return tree_center(shapes[0])
     last = len(shapes[0].triangles) - 1
-    if isinstance(root, str) or int(root) != root or not 0 <= root <= last:
+    if isinstance(root, (bool, np.bool_)) or root not in range(last + 1):
         raise ValueError(f"root is {root!r}, expected 'disk-center', 'tree-center' or a triangle from 0 to {last}")
     return int(root)
 

@@ -20,6 +20,8 @@ from tween.geometry.triangulation import Triangulation
 from tween.morphing.incompatible.chord_crossings import chord_crossings, crossings_of_chord, crossings_of_chords
 from tween.triangulating.flips import flip_in_place
 
+_NONE = -(2**62)  # crossings removed by the flip of what is no diagonal
+
 
 class FlipSequence(NamedTuple):
     """Flips that turn one triangulation into another, in order.
@@ -176,15 +178,44 @@ def _removed(triangles, twin, target, h):
 
 
 @njit(cache=True)
-def _best_of_all(triangles, twin, target):
-    """The half-edge whose flip removes most crossings with the target, the first of equally good ones."""
-    best, most = -1, -(len(twin) ** 2)
+def _tournament(triangles, twin, target):
+    """Binary tree over all half-edges, whose inner nodes hold the larger of their children: crossings removed by flips.
+
+    A diagonal is entered at the smaller of its half-edges.
+    """
+    size = 1
+    while size < twin.size:
+        size *= 2
+    best = np.full(2 * size, _NONE)
     for h in range(twin.size):
         if twin[h // 3, h % 3] > h:
-            removed = _removed(triangles, twin, target, h)
-            if removed > most:
-                best, most = h, removed
+            best[size + h] = _removed(triangles, twin, target, h)
+    for node in range(size - 1, 0, -1):
+        best[node] = max(best[2 * node], best[2 * node + 1])
     return best
+
+
+@njit(cache=True)
+def _enter(triangles, twin, target, best, t):
+    """Enter anew what the flips of the sides of triangle t remove."""
+    for s in range(3):
+        for h in (3 * t + s, twin[t, s]):
+            if h < 0:
+                h = 3 * t + s
+            node = len(best) // 2 + h
+            best[node] = _removed(triangles, twin, target, h) if twin[h // 3, h % 3] > h else _NONE
+            while node > 1:
+                node //= 2
+                best[node] = max(best[2 * node], best[2 * node + 1])
+
+
+@njit(cache=True)
+def _winner(best):
+    """The first of the half-edges whose flips remove most crossings."""
+    node = 1
+    while node < len(best) // 2:
+        node = 2 * node if best[2 * node] == best[node] else 2 * node + 1
+    return node - len(best) // 2
 
 
 @njit(cache=True)
@@ -241,6 +272,7 @@ def _insert_all(triangles, twin, wanted, target):
     side = np.empty(len(triangles) + 2, np.int64)
     for t in range(len(triangles)):
         _find_sides(triangles, twin, side, t)
+    best = _tournament(triangles, twin, target)
     records, size = np.empty((len(triangles), 6), np.int64), 0
     for i in range(len(wanted)):
         while True:
@@ -248,7 +280,7 @@ def _insert_all(triangles, twin, wanted, target):
             if h < 0:
                 break
             if removed <= 0:
-                h = _best_of_all(triangles, twin, target)
+                h = _winner(best)
             if size == len(records):
                 records = np.concatenate((records, np.empty_like(records)))
             t, s = h // 3, h % 3
@@ -257,7 +289,8 @@ def _insert_all(triangles, twin, wanted, target):
             records[size, 2], records[size, 3] = triangles[t, s], triangles[t, (s + 1) % 3]
             records[size, 4], records[size, 5] = triangles[t, (s + 2) % 3], triangles[g // 3, (g + 2) % 3]
             flip_in_place(triangles, twin, h)
-            _find_sides(triangles, twin, side, t)
-            _find_sides(triangles, twin, side, g // 3)
+            for changed in (t, g // 3):
+                _find_sides(triangles, twin, side, changed)
+                _enter(triangles, twin, target, best, changed)
             size += 1
     return records[:size].copy()

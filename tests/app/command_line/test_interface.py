@@ -1,0 +1,158 @@
+"""The options: what the help says runs, and the choices are those of the library."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from terminal import COMMANDS, Run, parsed
+
+from tween.app.command_line import commands
+from tween.choices import FITS, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
+
+
+def examples(command: click.Command) -> list[str]:
+    return re.findall(r"^  tween (.+)$", command.epilog or "", re.MULTILINE)
+
+
+def help_of(command: str, option: str) -> str:
+    return next(p.help or "" for p in COMMANDS[command].params if isinstance(p, click.Option) and p.name == option)
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name != "warmup"])
+def test_every_example_of_the_help_runs(name: str, run: Run) -> None:
+    lines = examples(COMMANDS[name])
+    assert lines
+    for line in lines:
+        status, out, err = run(line)
+        assert (line, status) == (line, 0)
+        assert all(said.startswith("tween: note: ") for said in err.splitlines())
+        assert out
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_says_what_a_command_is_for_and_fits_the_page(name: str, run: Run, monkeypatch: Any) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    status, out, err = run(f"{name} --help")
+    assert (status, err) == (0, "")
+    assert out.startswith(f"Usage: tween {name}".rstrip())
+    assert max(map(len, out.partition("Examples:")[0].splitlines())) <= 80
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ("path", PATHS),
+        ("strategy", STRATEGIES),
+        ("style", STYLES),
+        ("root", ROOT_RULES),
+        ("placement", PLACEMENTS),
+        ("fit", FITS),
+    ],
+)
+def test_every_choice_of_the_library_is_a_choice_of_the_command(option: str, words: tuple[str, ...]) -> None:
+    for word in words:
+        assert parsed("morph", f"a.csv b.csv -o c.gif --{option} {word}")[option] == word
+
+
+@pytest.mark.parametrize(
+    ("command", "line"),
+    [
+        ("triangulate", "triangulate gallery:ell -o"),
+        ("morph", "morph gallery:ell disk --frames 3 --size 32 -o"),
+        ("gallery", "gallery ell -o"),
+        ("clean", "clean gallery:ell --smooth 0.05 -o"),
+        ("info", "info gallery:ell -o"),
+    ],
+)
+def test_every_suffix_that_the_help_names_is_written(command: str, line: str, run: Run) -> None:
+    suffixes = re.findall(r"\.[a-z0-9]+\b", help_of(command, "output"))
+    assert len(suffixes) >= 3
+    for suffix in suffixes:
+        status, _, err = run(f"{line} out{suffix}")
+        if suffix == ".mp4" and "ffmpeg" in err:
+            continue
+        assert (suffix, status, err) == (suffix, 0, "")
+        assert Path(f"out{suffix}").stat().st_size > 100
+
+
+def test_every_suffix_that_the_help_names_is_read(run: Run) -> None:
+    suffixes = re.findall(r"\.[a-z]+\b", (COMMANDS["info"].help or "").partition("FILE is")[2])
+    assert len(suffixes) == 6
+    for suffix in suffixes:
+        assert run(f"gallery ell -o ell{suffix}")[0] == 0
+        assert (suffix, run(f"info ell{suffix}")[0]) == (suffix, 0)
+
+
+# What words become
+
+
+@pytest.mark.parametrize(
+    ("words", "name", "value"),
+    [
+        ("", "size", 480),
+        ("--size 64", "size", 64),
+        ("--size 640x480", "size", (640, 480)),
+        ("--root 3", "root", 3),
+        ("--root tree-center", "root", "tree-center"),
+        ("--landmark 12:40 --landmark 0:7", "landmarks", ((12, 40), (0, 7))),
+        ("--frames 2", "frames", 2),
+        ("--tolerance 1e-3", "tolerance", 1e-3),
+    ],
+)
+def test_words_become_values(words: str, name: str, value: Any) -> None:
+    found = parsed("morph", f"a.csv b.csv -o c.gif {words}")[name]
+    assert found == value
+    assert type(found) is type(value)
+
+
+@given(
+    st.text(max_size=8).filter(lambda text: not text.startswith("-")),
+    st.sampled_from(["--frames", "--fps", "--size", "--root", "--tolerance", "--pen", "--smooth", "--landmark"]),
+)
+def test_any_text_is_a_value_within_its_limits_or_misuse(text: str, option: str) -> None:
+    context = ["a.csv", "b.csv", "-o", "c.gif", option, text]
+    try:
+        found = COMMANDS["morph"].make_context("tween morph", context).params
+    except click.UsageError as misuse:
+        assert option in misuse.format_message()
+        return
+    assert found["frames"] >= 2
+    assert 1 <= found["fps"] <= 100
+    assert all(SIZES[0] <= side <= SIZES[1] for side in np.atleast_1d(found["size"]))
+    assert all(found[name] is None or 0 < found[name] < np.inf for name in ("tolerance", "pen"))
+    assert found["smooth"] is None or 0 <= found["smooth"] < np.inf
+
+
+def test_no_option_is_understood_by_its_beginning() -> None:
+    with pytest.raises(click.NoSuchOption, match="--fram"):
+        parsed("morph", "a.csv b.csv -o c.gif --fram 3")
+
+
+def test_every_command_is_a_function_of_commands() -> None:
+    assert [name for name in COMMANDS if name and not callable(getattr(commands, name, None))] == []
+    assert sorted(commands.__all__) == sorted(name for name in COMMANDS if name)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("inf gallery:ell", "Did you mean 'info'?"),
+        ("moprh", "Did you mean 'morph'?"),
+        ("zzzz", "expected one of info, clean"),
+        ("morph gallery:ell disk --strategi", "Did you mean '--strategy'?"),
+        ("info gallery:horsesho", "did you mean 'horseshoe'?"),
+        ("info pair:e_to_i/source", "did you mean 'e_to_l'?"),
+        ("info horsesho", "did you mean gallery:horseshoe?"),
+        ("info galery:ell", "did you mean gallery:ell?"),
+        ("gallery pretzl", "did you mean 'pretzel'?"),
+    ],
+)
+def test_what_is_misspelt_is_answered_by_what_may_be_meant(line: str, words: str, run: Run) -> None:
+    status, out, err = run(line)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert words in err

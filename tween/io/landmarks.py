@@ -1,0 +1,88 @@
+"""Landmarks from files: what bears the same id in both has to correspond."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tween.errors import FileError
+from tween.geometry.curve import Curve, as_curve
+from tween.io.outlines import contents, label
+from tween.io.whole_files import AnyPath, naming
+
+Marks = Mapping[str, tuple[float, float]]
+
+_FAR = 0.1  # of the size of a curve: a mark farther from every vertex marks none
+
+
+def read_marks(path: AnyPath) -> dict[str, tuple[float, float]]:
+    """Read the places of a file that have a name.
+
+    Parameters
+    ----------
+    path : path-like
+        SVG or GeoJSON.
+
+    Returns
+    -------
+    dict of str to (float, float)
+        The centres of an SVG's circles, the points of a GeoJSON, by their ids, with y upwards.
+
+    Raises
+    ------
+    FileError
+        Where the file cannot be read.
+    """
+    with naming(label(path)):
+        return contents(path).marks
+
+
+def landmarks(
+    source: Curve | ArrayLike, source_marks: Marks, target: Curve | ArrayLike, target_marks: Marks
+) -> dict[str, tuple[int, int]]:
+    """Find the vertices that two curves have at the marks of the same name.
+
+    Parameters
+    ----------
+    source, target : Curve or array_like of shape (n, 2)
+    source_marks, target_marks : mapping of str to (float, float)
+        As `read_marks` returns them.
+
+    Returns
+    -------
+    dict of str to (int, int)
+        For each name that occurs in both, the vertex of the source and that of the target that lies nearest; in the
+        order in which the source has them.  ``list(found.values())`` are the `landmarks` of `tween.match`.
+
+    Raises
+    ------
+    FileError
+        Where a mark is farther from every vertex than a tenth of the curve's size, or two marks are nearest to one
+        vertex.
+
+    Examples
+    --------
+    >>> square, diamond = [[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 0], [1, 1], [0, 2], [-1, 1]]
+    >>> landmarks(square, {"top": (1.02, 1), "nose": (0, 0)}, diamond, {"top": (0, 2), "tail": (0, 0)})
+    {'top': (2, 2)}
+    """
+    common = [name for name in source_marks if name in target_marks]
+    ends = (as_curve(source), source_marks), (as_curve(target), target_marks)
+    first, second = ([_nearest(curve, name, marks[name]) for name in common] for curve, marks in ends)
+    for vertices in (first, second):
+        for k, vertex in enumerate(vertices):
+            if vertex in vertices[:k]:
+                other = common[vertices.index(vertex)]
+                raise FileError(f"the marks {other!r} and {common[k]!r} are both nearest to vertex {vertex}")
+    return dict(zip(common, zip(first, second, strict=True), strict=True))
+
+
+def _nearest(curve: Curve, name: str, place: tuple[float, float]) -> int:
+    """The vertex nearest to a mark."""
+    distance = np.hypot(*(curve.points - place).T)
+    vertex = int(distance.argmin())
+    size = float(np.ptp(curve.points, axis=0).max())
+    if distance[vertex] > _FAR * size:
+        away = f"{distance[vertex]:.3g} from the nearest vertex of a curve of size {size:.3g}"
+        raise FileError(f"the mark {name[:40]!r} is {away}, expected at most a tenth of that")
+    return vertex
