@@ -26,7 +26,7 @@ from tween.morphing.alignment import (
     least_distorted,
     renumbered,
 )
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, shared_edge
@@ -61,7 +61,7 @@ class _Choices(NamedTuple):
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.compatible.guarantee`; a flip changes no sum of angles."""
         if self.path == "angle" and not self.guarantee:
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee else ""
@@ -87,8 +87,8 @@ def morph(
     path : {"metric", "slide", "linear", "angle", "area"}
         How third vertices move, see `.paths`; slide and linear are the paper's.
     guarantee : bool
-        Whether every shape on the way is to bound an immersed disk, see `.angle_budgets`.  Without it only the path
-        "angle" sees to that, where there are no flips.
+        Whether every shape on the way is to bound an immersed disk, see `.compatible.guarantee`.  Without it only the
+        path "angle" sees to that, where there are no flips.
     strategy : {"auto", "matched", "common", "paper"}
         "matched": the best correspondence and the best common triangulation together, see `match`; in the rare case
         that there is none of all vertices, flips do the rest.  "common": pivots matched, or else any renumbering, and

@@ -14,7 +14,7 @@ from tween import Curve, Triangulation, TweenError, decompose, triangulate
 from tween.gallery import curve
 from tween.morphing.alignment import common
 from tween.triangulating.flips import locally_delaunay
-from tween.triangulating.table import Graph, Table, is_small
+from tween.triangulating.table.splits import Graph, Table, is_small
 
 
 def parabola(n: int) -> np.ndarray:
@@ -29,18 +29,18 @@ def catalan(k: int) -> int:
 
 def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     splits = comb(20, 3)  # one for each triple of vertices of a convex polygon
-    monkeypatch.setattr("tween.triangulating.table._MOST_SPLITS", splits - 1)
+    monkeypatch.setattr("tween.triangulating.table.splits._MOST_SPLITS", splits - 1)
     d = decompose(parabola(20))
     for ask in (lambda: d.optimal(len), lambda: d.sample(np.random.default_rng(0))):
         with pytest.raises(TweenError, match=f"{splits} splits would take 0 GiB"):
             ask()
     d.arbitrary().validate()
-    monkeypatch.setattr("tween.triangulating.table._MOST_SPLITS", splits)
+    monkeypatch.setattr("tween.triangulating.table.splits._MOST_SPLITS", splits)
     assert decompose(parabola(20)).count == catalan(18)
 
 
 def test_a_table_that_would_not_fit_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tween.triangulating.table._MOST_PAIRS", 1000)
+    monkeypatch.setattr("tween.triangulating.table.splits._MOST_PAIRS", 1000)
     angle = 2 * np.pi * np.arange(300) / 300
     d = decompose(np.stack([np.cos(angle), np.sin(angle)], axis=1))
     assert d

@@ -1,6 +1,6 @@
 """Bounds along the path "area": no angle, rate, length or sum that is measured lies outside them.
 
-Over long intervals a bound may be nan, which says nothing; `layout_errors` proves nothing from it.
+Over long intervals a bound may be nan, which says nothing; `rounding` proves nothing from it.
 """
 
 import numpy as np
@@ -8,7 +8,7 @@ import pytest
 
 from tween import gallery
 from tween.gallery import random_disk
-from tween.morphing.compatible.area_bounds import area_bounds, area_third, largest_sums, reach
+from tween.morphing.compatible.guarantee.area_bounds import area_bounds, area_third, largest_sums, reach
 from tween.morphing.compatible.layout import root_base
 from tween.morphing.compatible.leg import Leg
 from tween.morphing.compatible.paths import corner_angles

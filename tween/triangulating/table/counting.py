@@ -16,7 +16,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.geometry.predicates import orient2d_sign
-from tween.triangulating.table_kernels import left_turn
+from tween.triangulating.table.pairs import left_turn
 
 _MOST_PRIMES = 80  # at once
 _MOST_RESIDUES = 2**26  # of all pairs at once, 4 bytes each
@@ -35,7 +35,7 @@ def count_exactly(
     ----------
     points : ndarray of float64, shape (c, n, 2)
     first, last, ends : ndarray of int
-        The pairs that hold, see `table_kernels.find_pairs`; that of the whole curves, the last of row 0, among them.
+        The pairs that hold, see `.find_pairs`; that of the whole curves, the last of row 0, among them.
 
     Returns
     -------

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from tween.triangulating.changes import Changes, Dropped
+from tween.triangulating.repair.changes import Changes, Dropped
 
 PLAIN = Changes(asked=0.1, smoothing=0.05, tremor=0.01, moved=0.08, gap=0.0, close=0.2, dropped=(), rows=100, reason="")
 

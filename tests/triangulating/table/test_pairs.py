@@ -17,8 +17,8 @@ from strategies import random_polygons, strip
 from tween import Curve, Decomposition, Triangulation, decompose
 from tween.gallery import curve
 from tween.triangulating.costs import distortion
-from tween.triangulating.table import Table
-from tween.triangulating.table_kernels import find_pair, find_pairs
+from tween.triangulating.table.pairs import find_pair, find_pairs
+from tween.triangulating.table.splits import Table
 
 
 def key(T: Triangulation) -> oracle.Triangles:

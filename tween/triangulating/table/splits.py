@@ -17,17 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import TweenError
-from tween.triangulating.counting import count_exactly
-from tween.triangulating.table_kernels import (
-    count_in_floats,
-    delaunay_splits,
-    delaunay_triangles,
-    find_pair,
-    find_pairs,
-    list_splits,
-    needed_pairs,
-    walk,
-)
+from tween.triangulating.table.counting import count_exactly
+from tween.triangulating.table.immersions import delaunay_splits, delaunay_triangles
+from tween.triangulating.table.pairs import find_pair, find_pairs, list_splits, needed_pairs, walk
+from tween.triangulating.table.sampling import count_in_floats
 
 _MOST_PAIRS = 2**28
 _MOST_SPLITS = 2**29

@@ -8,7 +8,7 @@ import pytest
 
 from tween import gallery
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, _cut, first_doubt
+from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, _cut, first_doubt
 from tween.morphing.compatible.leg import Leg
 from tween.triangulating.decomposition import triangulate
 

@@ -19,8 +19,8 @@ from tween.geometry.curve import Curve, coordinate_fault
 from tween.geometry.halving import halve_longest_edges
 from tween.geometry.pieces import Piece, droppable, tidied
 from tween.geometry.smoothing import Path, smoothed
-from tween.triangulating.changes import Changes, Dropped
 from tween.triangulating.decomposition import decompose
+from tween.triangulating.repair.changes import Changes, Dropped
 
 _SHARES = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)  # of the smoothing asked for, that are tried
 _CLOSE = 0.05  # how near ends have to come, as a share of the size

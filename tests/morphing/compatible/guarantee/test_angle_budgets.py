@@ -17,7 +17,7 @@ from tween import (
 )
 from tween.choices import PATHS
 from tween.errors import TriangulationError
-from tween.morphing.compatible.angle_budgets import proved_budgets
+from tween.morphing.compatible.guarantee.angle_budgets import proved_budgets
 from tween.morphing.compatible.leg import Leg, root_triangle
 
 every_path = pytest.mark.parametrize("path", PATHS)

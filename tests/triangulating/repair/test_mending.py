@@ -8,7 +8,7 @@ from strategies import random_polygons
 from tween.geometry.curve import Curve
 from tween.geometry.faces import covered_area
 from tween.triangulating.decomposition import decompose
-from tween.triangulating.mending import in_words, mend
+from tween.triangulating.repair.mending import in_words, mend
 
 
 def suggestions(points):

@@ -7,7 +7,7 @@ import oracle
 import pytest
 
 from tween import Curve, TweenError, decompose, gallery
-from tween.triangulating.counting import _combined, _primes
+from tween.triangulating.table.counting import _combined, _primes
 
 
 def convex(n: int) -> np.ndarray:

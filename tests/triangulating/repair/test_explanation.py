@@ -14,7 +14,7 @@ from strategies import Points, grid_polygons, random_polygons
 
 from tween import Curve, Decomposition, TweenError, clean, decompose, gallery
 from tween.geometry.faces import winding_numbers
-from tween.triangulating.explanation import Explanation
+from tween.triangulating.repair.explanation import Explanation
 
 EIGHT = [(0, 0), (4, 4), (4, 0), (0, 3)]
 BAND = [(0, -1), (3, 1), (6, -1), (6, 1), (3, -1), (0, 1)]
@@ -174,7 +174,7 @@ def test_of_several_curves_the_first_that_bounds_none_is_explained() -> None:
 
 
 def test_too_many_crossings_are_not_looked_at_and_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tween.triangulating.explanation._MOST_CROSSINGS", 0)
+    monkeypatch.setattr("tween.triangulating.repair.explanation._MOST_CROSSINGS", 0)
     explanation = decompose(EIGHT).explain()
     assert not explanation.loops and not explanation.suggestions
     assert "Not looked at: loops and regions, as there are more than 0 crossings" in str(explanation)

@@ -5,7 +5,7 @@ import pytest
 
 from tween import gallery
 from tween.gallery import random_disk
-from tween.morphing.compatible.area_twists import kept_below_full_turn, straight_area_path
+from tween.morphing.compatible.guarantee.area_twists import kept_below_full_turn, straight_area_path
 from tween.morphing.compatible.leg import Leg
 from tween.triangulating.decomposition import triangulate
 
