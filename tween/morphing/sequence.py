@@ -23,7 +23,7 @@ from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import Alignment
-from tween.morphing.compatible.layout_errors import Placing
+from tween.morphing.compatible.guarantee.rounding import Placing
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.keyframes.joining import Joined, join
 from tween.morphing.keyframes.keyframe import Keyframe
