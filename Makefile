@@ -31,7 +31,7 @@ export PYTHONHASHSEED := 0
 export PYTHONNOUSERSITE := 1
 unexport PYTHONPATH
 
-.PHONY: help check-python setup reproduce matching report notebooks test lint coverage bench docs lock clean
+.PHONY: help check-python setup reproduce matching report article notebooks test lint coverage bench docs lock clean
 
 help: ## List the commands (this)
 	@grep -hE '^[a-z][a-z-]*:.*## ' $(firstword $(MAKEFILE_LIST)) | while IFS= read -r line; do \
@@ -71,6 +71,9 @@ matching: $(STAMP) ## Recompute the study of matching on all pairs (long; an int
 
 report: $(STAMP) ## Write results/report.html anew from what results/ holds
 	@$(BIN)/python -m experiments.report
+
+article: $(STAMP) ## Set results/article.pdf, a replication report, from what results/ holds
+	@$(BIN)/python -m experiments.article
 
 notebooks: $(STAMP) ## Run every notebook in place
 	@echo "notebooks: running every notebook in place"

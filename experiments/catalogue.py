@@ -92,6 +92,13 @@ STUDIES = (
         figures=("guarantee_fan", "guarantee_study", "guarantee_paths"),
         seconds=60,
     ),
+    Step(
+        "studies.quality",
+        "Does the paper's measure measure quality?",
+        results=("quality.csv", "quality_search.csv"),
+        figures=("quality",),
+        seconds=120,
+    ),
     Step("studies.matching_sample", "Matching: a sample of all pairs again", seconds=45),
 )
 # All pairs take long, so `make matching` computes them, and `reproduce` a sample only, which it compares.
@@ -109,6 +116,7 @@ STEPS = (
     Step("figures", "Figures", results=("figures/captions.json", "figures/drawn.json"), seconds=60),
     Step("figures.animations", "Animations", seconds=30),
     Step("notebooks", "Notebooks", seconds=60),
+    Step("article", "The article", results=("article.pdf",), seconds=5),
     Step("report", "The report", results=("report.html",), seconds=10),
 )
 # Times that it measures are no results that could be found again, so `reproduce` leaves it out.

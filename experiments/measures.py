@@ -1,4 +1,4 @@
-"""What the studies measure: Table 1's rank and variance with its parameters, places among others, and slides."""
+"""What the studies measure: Table 1's rank and variance with its parameters, swelling, places among others, slides."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -33,6 +33,30 @@ def measures(A: NDArray[np.float64], tolerances: Iterable[float] = PARAMETERS["t
     """AR at every tolerance, then Var, of an area matrix."""
     singular = np.linalg.svd(A, compute_uv=False)
     return [*(rank_of(singular, rtol) for rtol in tolerances), frame_variance(A)]
+
+
+def swelling(A: NDArray[np.float64]) -> float:
+    """The largest total area of all frames over that of the larger end, from an area matrix; 1 at least."""
+    total = A.sum(axis=0)
+    return float(total.max() / max(total[0], total[-1]))
+
+
+def steady_sizes(A: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By what factor steady placement changes the lengths of each frame, so that the whole area changes linearly."""
+    total = A.sum(axis=0)
+    return np.asarray(np.sqrt(np.linspace(total[0], total[-1], len(total)) / total))
+
+
+def edge_factors(frames: NDArray[np.float64], sizes: NDArray[np.float64] | float = 1.0) -> tuple[float, float]:
+    """How far edges of the curve leave the range of their lengths at both ends.
+
+    The first factor is that of the edge that grows most beyond the longer of its ends, 1 at least; the second that of
+    the edge that shrinks most below the shorter of them, 1 at most.  Each of the frames, (k, n, 2), may be resized.
+    """
+    edges = np.roll(frames, -1, axis=1) - frames
+    lengths = np.hypot(edges[..., 0], edges[..., 1]) * np.reshape(sizes, (-1, 1))
+    low, high = np.minimum(lengths[0], lengths[-1]), np.maximum(lengths[0], lengths[-1])
+    return float((lengths / high).max()), float((lengths / low).min())
 
 
 def percentile(value: float, distribution: NDArray[np.float64]) -> float:

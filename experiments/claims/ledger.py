@@ -1,27 +1,24 @@
 """What a claim is, and the ledger that they are entered into.
 
 A claim is a function in the file of its section: it reads results of the studies, or what `measure` has measured for
-the ledger alone, and returns whether they still bear its verdict out, and the number in a short phrase.  The text is
-the paper's, quoted where there are quotation marks.
-
-A comparison of many cases "holds" where it comes out the paper's way in two thirds of them at least.
+the ledger alone, and returns the number in a short phrase, the cases as the paper has it, and, where the claim has a
+condition, the cases that meet it.  The verdict is not stated: `.rules` makes it of the cases, the same way for all.
+The text is the paper's, quoted where there are quotation marks.
 """
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import pandas as pd
 
 from experiments import catalogue
+from experiments.claims.rules import CONDITION, Cases, Rule, intervals, p_values, verdict
 from experiments.store import RESULTS
 
-Verdict = Literal["holds", "holds under a condition", "fails"]
-HOLDS: Verdict = "holds"
-CONDITION: Verdict = "holds under a condition"
-FAILS: Verdict = "fails"
-COLUMNS = ["id", "section", "claim", "verdict", "number", "condition", "evidence", "figure"]
-Finding = tuple[bool, str]
+COLUMNS = [
+    *("id", "section", "claim", "rule", "verdict", "number", "interval", "p", "condition", "evidence", "figure"),
+]
 
 
 class Numbers:
@@ -45,12 +42,21 @@ class Numbers:
         return self.checks["curve"]
 
 
+class Finding(NamedTuple):
+    """The number in a short phrase, the cases as printed, and those that meet the condition, if there is one."""
+
+    number: str
+    printed: tuple[Cases, ...]
+    under: tuple[Cases, ...] = ()
+
+
 class Claim(NamedTuple):
     """A row of the ledger, and the function that finds its number."""
 
     section: str
     text: str
-    verdict: Verdict
+    rule: Rule
+    cases: str  # what a case is, and what it has to do
     condition: str
     evidence: tuple[str, ...]  # files, or tests as path::name
     figure: str
@@ -61,29 +67,40 @@ LEDGER: dict[str, Claim] = {}
 
 
 def claim(
-    section: str, text: str, verdict: Verdict, evidence: tuple[str, ...], figure: str = "", condition: str = ""
+    section: str,
+    text: str,
+    rule: Rule,
+    cases: str,
+    evidence: tuple[str, ...],
+    *,
+    figure: str = "",
+    condition: str = "",
 ) -> Callable[[Callable[[Numbers], Finding]], Callable[[Numbers], Finding]]:
     """Enter a claim into the ledger; its id is the name of the function."""
 
     def enter(find: Callable[[Numbers], Finding]) -> Callable[[Numbers], Finding]:
-        LEDGER[find.__name__.replace("_", "-")] = Claim(section, text, verdict, condition, evidence, figure, find)
+        name = find.__name__.replace("_", "-")
+        LEDGER[name] = Claim(section, text, rule, cases, condition, evidence, figure, find)
         return find
 
     return enter
 
 
-def most(better: int, cases: int) -> bool:
-    """Two thirds at least."""
-    return 3 * better >= 2 * cases
+def row(name: str, c: Claim, x: Numbers) -> list[str]:
+    """A claim's row; the rule by which it is judged is the one that it was entered with."""
+    found = c.find(x)
+    if {part.rule for part in (*found.printed, *found.under)} != {c.rule} or bool(found.under) != bool(c.condition):
+        raise ValueError(f"{name}: cases by the rule '{c.rule}' are wanted, and others only where there is a condition")
+    judged = verdict(found.printed, found.under)
+    condition = c.condition if judged == CONDITION else ""
+    parts = (*found.printed, *(part._replace(label=f"[{part.label or 'condition'}]") for part in found.under))
+    told = [found.number, intervals(parts), p_values(parts)]
+    return [name, c.section, c.text, f"{c.rule}: {c.cases}", judged, *told, condition, "; ".join(c.evidence), c.figure]
 
 
 def ledger(x: Numbers) -> pd.DataFrame:
-    """Every claim with its number; stops at verdicts that the numbers do not bear out."""
-    rows, broken = [], []
-    for name, c in LEDGER.items():
-        supported, number = c.find(x)
-        broken += [] if supported else [f"claims: '{c.verdict}' is not borne out for {name}: {number}"]
-        rows.append([name, c.section, c.text, c.verdict, number, c.condition, "; ".join(c.evidence), c.figure])
-    if broken:
-        raise SystemExit("\n".join(broken))
-    return pd.DataFrame(rows, columns=COLUMNS)
+    """Every claim with its number, its interval and the verdict that they lead to, in the order of the sections."""
+    rows = [row(name, c, x) for name, c in LEDGER.items()]
+    return pd.DataFrame(rows, columns=COLUMNS).sort_values(
+        "section", key=lambda s: s.str[0].astype(int), kind="stable", ignore_index=True
+    )

@@ -10,6 +10,7 @@ from typing import Any
 
 import pandas as pd
 
+import experiments.claims.quality  # noqa: F401, it enters its claims, and has nothing to measure for the ledger alone
 from experiments.claims import section_3, section_4, section_5, section_6, section_7
 from experiments.claims.shared import PARAMETERS, best_angle
 from experiments.store import compute, rng_for
@@ -24,6 +25,7 @@ def parts() -> list[str]:
         *(f"flow: {pair}" for pair in pairs()[:: PARAMETERS["every_pair"]]),
         *(f"ring: {n}" for n in PARAMETERS["rings"]),
         *(f"degrees: {n}" for n in range(4, PARAMETERS["degrees_up_to"] + 1)),
+        *(f"comparisons: {n}" for n in PARAMETERS["rings"]),
         *(f"table: {n}" for n in PARAMETERS["convex"]),
         *(f"thirds: {spread}" for spread in ("uniform", "normal")),
     ]
@@ -57,9 +59,16 @@ def curve_to_disk(name: str) -> dict[str, Any]:
         **section_5.at_the_end(m),
         **section_5.non_monotone(T, D),
         **section_6.reflex_vertices(m),
+        **section_3.not_additive(T),
         **section_6.spines([T, *drawn]),
+        **section_6.leaves(T, drawn),
         **section_7.rank_along_area(T, D),
     }
+
+
+def pair_on_the_way(pair: str) -> dict[str, Any]:
+    """When the flips of a pair come, and whether its morph is symmetric where ties are broken in the same way."""
+    return section_7.flips_on_the_way(pair) | {"asymmetry": section_6.asymmetry(pair)}
 
 
 WORK: dict[str, Callable[[str], dict[str, Any]]] = {
@@ -67,9 +76,10 @@ WORK: dict[str, Callable[[str], dict[str, Any]]] = {
     "linear": partial(section_5.lengths_and_areas, path="linear"),
     "slide": partial(section_5.lengths_and_areas, path="slide"),
     "boundary": section_3.boundary_only,
-    "flow": section_7.flips_on_the_way,
+    "flow": pair_on_the_way,
     "ring": section_6.flip_rules,
     "thirds": section_5.third_vertices_at_random,
     "degrees": section_4.degree_sequences,
+    "comparisons": section_4.comparisons,
     "table": section_3.table_of_convex,
 }

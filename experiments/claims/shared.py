@@ -19,6 +19,8 @@ PARAMETERS: dict[str, Any] = {
     "noticeable": 1.01,
     "every_pair": 20,
     "late": 0.9,
+    "feature": 0.05,
+    "pairs_of_flips": 12,
     "rings": [10, 20, 40],
     "ring_pairs": 200,
     "thirds": 100_000,

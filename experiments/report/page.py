@@ -17,8 +17,11 @@ from markupsafe import Markup, escape
 from PIL import Image
 
 from experiments.catalogue import STUDIES, writer
+from experiments.claims.rules import RULES, TOGETHER
+from experiments.figures.everything import DRAWINGS
 from experiments.report.facts import facts
 from experiments.report.made import machine, parameters, versions
+from experiments.report.references import REFERENCES
 from experiments.report.tables import claims, key_tables, table_1
 from experiments.reproduce import TIMES
 from experiments.store import RESULTS, ROOT
@@ -46,10 +49,18 @@ class MissingResultsError(Exception):
 
 
 def figures(results: Path) -> list[dict[str, Any]]:
-    """The figures in the paper's order, ours last, each with its picture."""
+    """The figures in the paper's order, ours last, each with its picture and the code that draws it."""
     captions = json.loads((results / "figures" / "captions.json").read_text(encoding="utf-8"))
-    found = [{"name": name} | about | embedded(results / "figures" / f"{name}.png") for name, about in captions.items()]
+    found = [
+        {"name": name, "code": code_of(name)} | about | embedded(results / "figures" / f"{name}.png")
+        for name, about in captions.items()
+    ]
     return sorted(found, key=lambda figure: (*paper_order(figure["of"]), figure["name"]))
+
+
+def code_of(figure: str) -> str:
+    """The file that draws a figure, in the project."""
+    return Path(DRAWINGS[figure].make.__code__.co_filename).relative_to(ROOT).as_posix()
 
 
 def paper_order(of: str) -> tuple[int, int]:
@@ -132,6 +143,9 @@ def page(results: Path = RESULTS, times: Path = TIMES) -> str:
             studies=key_tables(results),
             figures=figures(results),
             own_figures=own_figures,
+            rules=RULES,
+            together=TOGETHER,
+            references=REFERENCES,
             notebooks=notebooks(),
             parameters=parameters(),
             versions=versions(),

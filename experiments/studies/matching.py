@@ -38,7 +38,7 @@ from numpy.typing import NDArray
 
 from experiments import subjects
 from experiments.baselines import BASELINES
-from experiments.measures import RANKS, measures
+from experiments.measures import RANKS, measures, swelling
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from tween import Curve, CurveError, Morph, area_matrix, decompose, morph, paper_morph, verify
 from tween.choices import Strategy
@@ -109,12 +109,6 @@ def measure(m: Morph) -> dict[str, Any]:
         "path_length": path_length(frames),
         "disks": disks(m, frames),
     }
-
-
-def swelling(A: NDArray[np.float64]) -> float:
-    """The largest total area of all frames over that of the larger end, from an area matrix."""
-    total = A.sum(axis=0)
-    return float(total.max() / max(total[0], total[-1]))
 
 
 def path_length(frames: NDArray[np.float64]) -> float:

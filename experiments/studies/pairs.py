@@ -3,7 +3,13 @@
 For all pairs of gallery curves and letters, and both of the paper's paths: crossings, flips, when the
 flows have done their last flip, in sequence as in the paper (u, v) and in partial order, and what was checked: ends,
 symmetry, positive triangles, continuity.  The morph back is computed for itself, so that it may differ from the one
-there: by how much, in sizes of the shapes, is "asymmetry".  Writes results/pairs.csv.
+there: by how much, in sizes of the shapes, is "asymmetry".
+
+    swelling          the largest area on the way over that of the larger end, the root placing the shapes
+    longest, shortest by what factors edges of the curve leave the range of their lengths at both ends
+    ..._steady        the same, placed steadily, where the swelling is 1
+
+Writes results/pairs.csv.
 """
 
 from typing import Any
@@ -13,6 +19,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from experiments import subjects
+from experiments.measures import edge_factors, steady_sizes, swelling
 from experiments.store import RESULTS, compute, write_csv
 from tween import Curve, Morph, area_matrix, area_rank, frame_variance, paper_morph
 from tween.geometry.predicates import orient2d
@@ -40,6 +47,20 @@ def checks(m: Morph, back: Morph, source: Curve, target: Curve) -> dict[str, Any
         "symmetry_error": float(np.abs(np.roll(returned, -m.alignment.shift, axis=1) - shapes).max()) / size,
         "step_ratio": float(steps[0] / steps[1]),
         "positive": _positive(m, shapes),
+    }
+
+
+def sizes(m: Morph, A: NDArray[np.float64]) -> dict[str, float]:
+    """How the whole and its edges swell and shrink, placed by the root and steadily."""
+    frames = m.frames(A.shape[1])
+    longest, shortest = edge_factors(frames)
+    steadily = edge_factors(frames, steady_sizes(A))
+    return {
+        "swelling": swelling(A),
+        "longest": longest,
+        "shortest": shortest,
+        "longest_steady": steadily[0],
+        "shortest_steady": steadily[1],
     }
 
 
@@ -79,6 +100,7 @@ def work(pair: str) -> list[dict[str, Any]]:
                 "common": common,
                 "AR_1e-4": area_rank(A, PARAMETERS["tolerance"]),
                 "Var": frame_variance(A),
+                **sizes(m, A),
                 **checks(m, back, source, target),
             }
         )
@@ -91,6 +113,8 @@ def table(rows: list[dict[str, Any]]) -> pd.DataFrame:
     for column in ("u", "v", "u_partial", "v_partial"):
         result[column] = result[column].astype(float).round(6)
     result["Var"] = result["Var"].map("{:.3e}".format)
+    for column in ("swelling", "longest", "shortest", "longest_steady", "shortest_steady"):
+        result[column] = result[column].map(lambda v: float(f"{v:.3g}"))
     result["ends_within_1e-12"] = result.pop("end_error") <= 1e-12
     asymmetry = result.pop("symmetry_error")
     result["symmetric_within_1e-9"] = asymmetry <= 1e-9

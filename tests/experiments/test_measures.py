@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from experiments.measures import PARAMETERS, RANKS, areas_to_disk, hung, percentile, slid
+from experiments.measures import (
+    PARAMETERS,
+    RANKS,
+    areas_to_disk,
+    edge_factors,
+    hung,
+    percentile,
+    slid,
+    steady_sizes,
+    swelling,
+)
 from experiments.subjects import shape
 from tween import area_matrix, decompose, gallery, morph, remesh, triangulate
 from tween.choices import Path
@@ -17,6 +27,26 @@ def test_a_percentile_counts_ties_half() -> None:
     assert percentile(2.0, np.array([1.0, 2.0, 2.0, 3.0])) == 0.5
     assert percentile(0.0, np.array([1.0, 2.0])) == 0.0
     assert percentile(9.0, np.array([1.0, 2.0])) == 1.0
+
+
+def test_swelling_is_one_where_the_larger_end_is_the_largest() -> None:
+    A = np.array([[1.0, 2.0, 3.0], [1.0, 1.0, 1.0]])
+    assert swelling(A) == pytest.approx(1)
+    assert swelling(A[:, [0, 2, 1]]) == pytest.approx(4 / 3)
+
+
+def test_steady_sizes_make_the_whole_area_change_linearly() -> None:
+    A = np.array([[1.0, 9.0, 3.0], [1.0, 2.0, 1.0]])
+    np.testing.assert_allclose((A * steady_sizes(A) ** 2).sum(axis=0), [2.0, 3.0, 4.0])
+    assert swelling(A * steady_sizes(A) ** 2) == pytest.approx(1)
+
+
+def test_edges_leave_their_range_by_a_factor_up_and_a_factor_down() -> None:
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=np.float64)
+    assert edge_factors(np.stack([square, 1.5 * square, 2 * square])) == (1.0, 1.0)
+    assert edge_factors(np.stack([square, 3 * square, 2 * square])) == (1.5, 1.0)
+    assert edge_factors(np.stack([square, square / 4, square])) == (1.0, 0.25)
+    assert edge_factors(np.stack([square, 3 * square, square]), np.array([1, 1 / 3, 1])) == pytest.approx((1.0, 1.0))
 
 
 @pytest.mark.parametrize("path", ["linear", "slide", "angle"])

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from experiments.figures.registry import WIDTH, drawing
 from experiments.figures.rows import TIMES, draw_layers, places, time_label
+from experiments.measures import swelling
 from experiments.store import RESULTS
-from experiments.studies.matching import swelling
 from tween import Morph, Triangulation, area_matrix, gallery, morph, paper_morph
 from tween import plot as draw
 

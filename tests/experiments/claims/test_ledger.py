@@ -9,6 +9,7 @@ import pytest
 import experiments.claims.measure  # noqa: F401, it enters the claims of all sections
 from experiments import store
 from experiments.claims import ledger as claims
+from experiments.claims import rules
 
 TABLE = pd.read_csv(store.RESULTS / "claims.csv", keep_default_na=False)
 WANTED = {
@@ -36,6 +37,15 @@ WANTED = {
     "reaches-the-target",
     "flips-terminate",
     "decomposition-is-cubic",
+    "leaves-are-features",
+    "pivots-are-critical",
+    "root-matters",
+    "compatibility-is-quadratic",
+    "better-alignment",
+    "flips-can-be-early",
+    "central-root-is-good",
+    "root-keeps-sizes",
+    "slide-shrinks-less",
 }
 
 
@@ -53,18 +63,22 @@ def needs_measuring(name: str) -> bool:
 
 def test_the_table_is_the_ledger_and_has_every_claim_that_was_asked_for() -> None:
     assert list(TABLE.columns) == claims.COLUMNS
-    assert list(TABLE["id"]) == list(claims.LEDGER)
+    assert set(TABLE["id"]) == set(claims.LEDGER)
     assert TABLE["id"].is_unique and len(TABLE) >= 20
     assert set(TABLE["id"]) >= WANTED
     for row in TABLE.itertuples():
         c = claims.LEDGER[row.id]
-        written = (row.section, row.claim, row.verdict, row.condition, row.evidence, row.figure)
-        assert written == (c.section, c.text, c.verdict, c.condition, "; ".join(c.evidence), c.figure)
+        written = (row.section, row.claim, row.rule, row.evidence, row.figure)
+        assert written == (c.section, c.text, f"{c.rule}: {c.cases}", "; ".join(c.evidence), c.figure)
+        assert row.condition == (c.condition if row.verdict == rules.CONDITION else "")
 
 
 def test_every_row_says_what_it_must() -> None:
-    assert set(TABLE["verdict"]) == {claims.HOLDS, claims.CONDITION, claims.FAILS}
-    assert ((TABLE["condition"] != "") == (TABLE["verdict"] == claims.CONDITION)).all()
+    assert set(TABLE["verdict"]) == set(rules.VERDICTS)
+    assert ((TABLE["condition"] != "") == (TABLE["verdict"] == rules.CONDITION)).all()
+    assert set(TABLE["rule"].str.partition(":")[0]) == set(rules.RULES)
+    assert ((TABLE["p"] != "") == TABLE["rule"].str.startswith("more:")).all()
+    assert TABLE["interval"].str.fullmatch(r"(.* )?[-\d.e]+ \([-\d.e]+ to [-\d.e]+\)").all()
     assert TABLE["number"].str.contains(r"\d").all()
     assert TABLE["claim"].str.len().min() > 0
     assert TABLE["section"].str.match(r"[1-8]").all()
@@ -87,9 +101,8 @@ def test_the_figure_exists(figure: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in claims.LEDGER if not needs_measuring(name)])
 def test_numbers_from_other_studies_are_those_of_their_results(name: str) -> None:
-    supported, number = claims.LEDGER[name].find(claims.Numbers(dict))
-    assert supported
-    assert number == TABLE.set_index("id").loc[name, "number"]
+    found = claims.row(name, claims.LEDGER[name], claims.Numbers(dict))
+    assert found == TABLE[TABLE.id == name].iloc[0].tolist()
 
 
 # How it is made
@@ -101,13 +114,28 @@ def test_a_missing_result_is_answered_with_the_study_to_run(tmp_path: Path, monk
         claims.Numbers(dict).table("pairs")
 
 
-def test_a_verdict_that_is_not_borne_out_stops_the_ledger(monkeypatch: pytest.MonkeyPatch) -> None:
-    c = claims.LEDGER["symmetric"]._replace(find=lambda x: (False, "0 of 1"))
-    monkeypatch.setattr(claims, "LEDGER", {"symmetric": c})
-    with pytest.raises(SystemExit, match="'holds under a condition' is not borne out for symmetric: 0 of 1"):
-        claims.ledger(claims.Numbers(dict))
+def entered(rule: rules.Rule, condition: str, *parts: tuple[rules.Cases, ...]) -> list[str]:
+    """Return the row of a claim with such cases."""
+    c = claims.LEDGER["symmetric"]
+    c = c._replace(rule=rule, condition=condition, find=lambda x: claims.Finding("a number", *parts))
+    return claims.row("symmetric", c, claims.Numbers(dict))
 
 
-@pytest.mark.parametrize(("better", "cases", "is_most"), [(2, 3, True), (23, 34, True), (22, 34, False), (0, 1, False)])
-def test_most_is_two_thirds(better: int, cases: int, is_most: bool) -> None:
-    assert claims.most(better, cases) == is_most
+def test_the_verdict_is_made_of_the_cases_and_the_condition_is_told_where_it_matters() -> None:
+    none, whole = (rules.every(0, 3),), (rules.every(3, 3),)
+    verdict, condition = claims.COLUMNS.index("verdict"), claims.COLUMNS.index("condition")
+    for parts, expected in (
+        ((none, whole), rules.CONDITION),
+        ((whole, whole), rules.HOLDS),
+        ((none, none), rules.FAILS),
+    ):
+        row = entered("every", "if so", *parts)
+        assert row[verdict] == expected
+        assert row[condition] == ("if so" if expected == rules.CONDITION else "")
+
+
+def test_a_claim_is_judged_by_the_rule_that_it_was_entered_with() -> None:
+    with pytest.raises(ValueError, match="cases by the rule 'more' are wanted"):
+        entered("more", "", (rules.every(3, 3),))
+    with pytest.raises(ValueError, match="only where there is a condition"):
+        entered("every", "", (rules.every(3, 3),), (rules.every(3, 3),))

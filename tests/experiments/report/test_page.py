@@ -9,10 +9,12 @@ import pandas as pd
 import pytest
 
 from experiments.catalogue import STEPS, writer
+from experiments.claims.rules import RULES
 from experiments.report import facts, tables
 from experiments.report import page as report
 from experiments.report.__main__ import main
-from experiments.store import FIGURES, RESULTS
+from experiments.report.references import REFERENCES
+from experiments.store import FIGURES, RESULTS, ROOT
 
 VOID = {"meta", "input", "img", "wbr", "br", "link"}
 
@@ -52,20 +54,47 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a copy of the results with a ledger of two claims, one of them awkward to write in HTML."""
     folder = tmp_path_factory.mktemp("project") / "results"
     shutil.copytree(RESULTS, folder, ignore=shutil.ignore_patterns("animations", "*.pdf", "*.html"))
-    columns = ["id", "section", "claim", "verdict", "number", "condition", "evidence", "figure"]
+    columns = [
+        "id",
+        "section",
+        "claim",
+        "rule",
+        "verdict",
+        "number",
+        "interval",
+        "p",
+        "condition",
+        "evidence",
+        "figure",
+    ]
     figure = next(iter(json.loads((FIGURES / "captions.json").read_text(encoding="utf-8"))))
     rows = [
         [
             "one",
             "4",
             "It holds",
+            "more: a curve",
             "holds",
             "7 of 7",
+            "1 (0.65 to 1)",
+            "0.016",
             "",
             "experiments/studies/to_disk.py; tests/no_such.py::test_it",
             f"{figure}.png",
         ],
-        ["two", "5", 'A "<b>" & <script>', "fails", "u < 1e-4", "with `x`", "results/table_1_to_disk.csv", ""],
+        [
+            "two",
+            "5",
+            'A "<b>" & <script>',
+            "every: all",
+            "fails",
+            "u < 1e-4",
+            "0.5 (0 to 1)",
+            "",
+            "with `x`",
+            "README.md",
+            "",
+        ],
     ]
     pd.DataFrame(rows, columns=columns).to_csv(folder / "claims.csv", index=False)
     return folder
@@ -127,6 +156,23 @@ def test_the_page_has_every_figure_in_the_papers_order(page: Reader) -> None:
         assert about["caption"].replace("`", "")[:40] in page.words
 
 
+def test_every_figure_leads_to_the_code_that_draws_it(page: Reader) -> None:
+    captions = json.loads((FIGURES / "captions.json").read_text(encoding="utf-8"))
+    for name in captions:
+        code = report.code_of(name)
+        assert f'"{name}"' in (ROOT / code).read_text(encoding="utf-8")
+        assert f"../{code}" in page.addresses
+
+
+def test_the_rules_stand_before_the_verdicts_and_what_is_not_known_after_them(page: Reader) -> None:
+    order = [
+        page.ids.index(part) for part in ("introduction", "methods", "claims", "limitations", "references", "made")
+    ]
+    assert order == sorted(order)
+    for words in (*RULES.values(), *REFERENCES):
+        assert words in page.words
+
+
 def test_the_page_has_every_cell_of_table_1(page: Reader, results: Path) -> None:
     table = tables.as_written(results / "table_1.csv")
     assert len(table) > 10
@@ -140,8 +186,10 @@ def test_the_page_is_of_a_size_that_can_be_sent(text: str) -> None:
 
 def test_claims_are_quoted_and_counted(text: str, page: Reader) -> None:
     assert 'A "<b>" & <script>' in page.words
-    assert "Of 2 claims of the paper 1 hold, 0 hold under a condition and 1 fail" in page.words
+    assert "Of 2 claims of the paper 1 hold, 0 hold under a condition, 0 show no difference and 1 fail" in page.words
     assert "<code>x</code>" in text
+    assert "1 (0.65 to 1); sign test, p: 0.016." in page.words
+    assert "0.5 (0 to 1)." in page.words
     assert 'href="../experiments/studies/to_disk.py"' in text
     assert "tests/no_such.py::test_it" in page.words
     assert "no_such.py" not in " ".join(page.addresses)

