@@ -6,6 +6,8 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from tween.app.command_line.main import main
+
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 LINKS = sorted(set(re.findall(r"\]\(([^)#:]+)\)", README)))
@@ -26,6 +28,15 @@ def test_every_link_leads_to_a_file(link: str) -> None:
 def test_the_code_runs(block: str, capsys: pytest.CaptureFixture[str]) -> None:
     exec(compile(block, "README.md", "exec"), {})
     assert capsys.readouterr().out
+
+
+def test_the_command_lines_make_the_files_that_they_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lines = [line.partition("#")[0].split() for line in README.splitlines() if line.startswith("tween ")]
+    assert len(lines) == 3
+    for words in lines:
+        assert main(words[1:]) == 0
+        assert Path(words[-1]).stat().st_size > 0
 
 
 @pytest.mark.parametrize("command", sorted(set(re.findall(r"\bmake ([a-z]+)", README))))

@@ -24,14 +24,16 @@ from .measuring.playback import playback as playback
 from .morphing.matching.match import Match as Match
 from .morphing.matching.match import match as match
 from .morphing.morph import Morph as Morph
+from .morphing.sequence import Sequence as Sequence
+from .morphing.sequence import sequence as sequence
 from .morphing.strategy import morph as morph
 from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation
 from .triangulating import costs as costs
 from .triangulating import flips as flips
-from .triangulating.cleaning import clean as clean
 from .triangulating.compatibility import compatible_shift as compatible_shift
 from .triangulating.decomposition import Decomposition as Decomposition
 from .triangulating.decomposition import decompose as decompose
 from .triangulating.decomposition import triangulate as triangulate
 from .triangulating.flips import remesh as remesh
+from .triangulating.repair.cleaning import clean as clean

@@ -25,7 +25,7 @@ from tween.morphing.strategy import morph_compatible
     "a curve to its disk; AR says the same of remeshed and random triangulations at 1e-4 and at 1e-9; the condition: "
     "where all areas change linearly, it is 2",
     (
-        "tests/morphing/compatible/test_angle_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
+        "tests/morphing/compatible/guarantee/test_angle_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
         "experiments/studies/to_disk.py",
         "experiments/claims/section_7.py",
     ),

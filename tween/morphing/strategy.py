@@ -39,7 +39,7 @@ from tween.morphing.alignment import (
     least_distorted,
     renumbered,
 )
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
@@ -76,7 +76,7 @@ class _Choices(NamedTuple):
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.compatible.guarantee`; a flip changes no sum of angles."""
         if self.path == "angle" and not self.guarantee:
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee else ""
@@ -103,8 +103,8 @@ def morph(
     path : {"metric", "slide", "linear", "angle", "area"}
         How third vertices move, see `.paths`; slide and linear are the paper's.
     guarantee : bool
-        Whether every shape on the way is to bound an immersed disk, see `.angle_budgets`.  Without it only the path
-        "angle" sees to that, where there are no flips.
+        Whether every shape on the way is to bound an immersed disk, see `.compatible.guarantee`.  Without it only the
+        path "angle" sees to that, where there are no flips.
     strategy : {"auto", "matched", "common", "paper"}
         "matched": the best correspondence and the best common triangulation together, see `match`; in the rare case
         that there is none of all vertices, flips do the rest.  "common": pivots matched, or else any renumbering, and
@@ -281,6 +281,41 @@ def morph_compatible(
     every = np.arange(len(source))
     choices = _Choices(path, guarantee, placement, root, pace=pace)
     return _in_order(Alignment(source, target, 0, every, every, None, 0), choices)
+
+
+def morph_as_numbered(
+    source: Triangulation,
+    target: Triangulation,
+    path: Path = "metric",
+    guarantee: bool = True,
+    placement: Placement = "steady",
+    root: Root = "disk-center",
+) -> Morph:
+    """Morph between two triangulations vertex i to vertex i, by flips where their triangles differ.
+
+    Parameters
+    ----------
+    source, target : Triangulation
+        With equally many vertices.
+    path, guarantee, placement, root
+        As for `morph`.
+
+    Returns
+    -------
+    Morph
+
+    Examples
+    --------
+    >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+    >>> len(morph_as_numbered(T, Triangulation(T.points, [[0, 1, 3], [1, 2, 3]])).events)
+    1
+    """
+    if source.triangles is target.triangles or np.array_equal(source.canonical, target.canonical):
+        return morph_compatible(source, target, path, guarantee, placement, root)
+    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
+    every, crossings = np.arange(len(source)), count_crossings(source, target)
+    alignment = Alignment(source, target, 0, every, every, None, crossings)
+    return _in_order(alignment, _Choices(path, guarantee, placement, root))
 
 
 def _check_words(**given: tuple[str, Sequence[str]]) -> None:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from tween.choices import Order, Path
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_budgets import RESERVE
+from tween.morphing.compatible.guarantee.angle_budgets import RESERVE
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence
 from tween.triangulating.flips import flip_in_place, quadrilateral

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from tween.choices import Pace, Path
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_budgets import RESERVE
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.angle_budgets import RESERVE
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
 from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flow import Event, Flow, Piece
