@@ -159,6 +159,12 @@ def test_two_keyframes_are_a_morph_with_an_ease_of_its_own() -> None:
     np.testing.assert_array_equal(s.frames(9), leg.frames(9))
 
 
+def test_the_pace_is_that_of_every_leg() -> None:
+    own, even = (sequence([SQUARE, ELL], ease="linear", placement="root", pace=pace) for pace in ("time", "speed"))
+    ways = [np.sqrt((np.diff(s.frames(200), axis=0) ** 2).sum(axis=2).mean(axis=1)) for s in (own, even)]
+    assert ways[1].std() < 0.02 * ways[1].mean() < ways[0].std()
+
+
 @pytest.mark.slow
 def test_the_disk_of_a_keyframe_with_several_is_chosen_for_the_whole() -> None:
     several = gallery.curve("two_disks")
@@ -224,6 +230,7 @@ def test_every_leg_has_its_ease() -> None:
         ({"ease": ["linear"]}, "there are 1 eases, expected one, or 2"),
         ({"path": "straight"}, "path is 'straight', expected one of"),
         ({"placement": "best"}, "placement is 'best', expected one of"),
+        ({"pace": "even"}, "pace is 'even', expected one of"),
         ({"root": 3}, "root is 3, expected one of"),
         ({"names": ["a"]}, "there are 1 names for 3 keyframes"),
     ],

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.choices import PATHS, PLACEMENTS, ROOT_RULES, Path, Placement, RootRule
+from tween.choices import PACES, PATHS, PLACEMENTS, ROOT_RULES, Pace, Path, Placement, RootRule
 from tween.easing import AnyEase, Ease, as_ease
 from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.curve import Curve
@@ -87,6 +87,7 @@ def sequence(
     root: RootRule = "disk-center",
     landmarks: Several[Several[int]] | None = None,
     names: Several[str] | None = None,
+    pace: Pace = "auto",
 ) -> Sequence:
     """Morph through several immersed disks, one after the other, with one numbering of vertices.
 
@@ -105,8 +106,8 @@ def sequence(
     hold : float
         For how long every keyframe rests, in the unit of the times, or else in times of a leg; at the start of a loop
         the first one does, at its end it does not.
-    path, guarantee, placement
-        As for `tween.morph`.
+    path, guarantee, placement, pace
+        As for `tween.morph`; `ease` comes on top of the pace.
     root : {"disk-center", "tree-center"}
         As for `tween.morph`; of every leg.
     landmarks : sequence of sequence of int, optional
@@ -149,7 +150,7 @@ def sequence(
     >>> bool((frames[0] == frames[-1]).all()), bool((frames[10] == s.keyframes[1].points).all())
     (True, True)
     """
-    _check_options(path, placement, root)
+    _check_options(path, placement, root, pace)
     shapes = _without_return(list(keyframes), loop)
     called = _called(len(shapes), names)
     if len(shapes) < 2:
@@ -161,17 +162,18 @@ def sequence(
     legs = []
     for i, (source, target) in enumerate(joined.ends()):
         try:
-            legs.append(morph_as_numbered(source, target, path, guarantee, placement, root))
+            legs.append(morph_as_numbered(source, target, path, guarantee, placement, root, pace))
         except GuaranteeError as error:
             raise GuaranteeError(f"from {called[i]} to {called[(i + 1) % len(called)]}: {error}") from None
     return Sequence(joined, legs, schedule, loop)
 
 
-def _check_options(path: str, placement: str, root: Any) -> None:
+def _check_options(path: str, placement: str, root: Any, pace: str) -> None:
     for name, value, allowed in (
         ("path", path, PATHS),
         ("placement", placement, PLACEMENTS),
         ("root", root, ROOT_RULES),
+        ("pace", pace, PACES),
     ):
         if value not in allowed:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")

@@ -290,6 +290,7 @@ def morph_as_numbered(
     guarantee: bool = True,
     placement: Placement = "steady",
     root: Root = "disk-center",
+    pace: Pace = "auto",
 ) -> Morph:
     """Morph between two triangulations vertex i to vertex i, by flips where their triangles differ.
 
@@ -297,7 +298,7 @@ def morph_as_numbered(
     ----------
     source, target : Triangulation
         With equally many vertices.
-    path, guarantee, placement, root
+    path, guarantee, placement, root, pace
         As for `morph`.
 
     Returns
@@ -311,11 +312,11 @@ def morph_as_numbered(
     1
     """
     if source.triangles is target.triangles or np.array_equal(source.canonical, target.canonical):
-        return morph_compatible(source, target, path, guarantee, placement, root)
-    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
+        return morph_compatible(source, target, path, guarantee, placement, root, pace)
+    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS), pace=(pace, PACES))
     every, crossings = np.arange(len(source)), count_crossings(source, target)
     alignment = Alignment(source, target, 0, every, every, None, crossings)
-    return _in_order(alignment, _Choices(path, guarantee, placement, root))
+    return _in_order(alignment, _Choices(path, guarantee, placement, root, pace=pace))
 
 
 def _check_words(**given: tuple[str, Sequence[str]]) -> None:
