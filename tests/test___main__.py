@@ -2,6 +2,8 @@
 
 import json
 import os
+import re
+import signal
 import subprocess
 import sys
 import tomllib
@@ -22,7 +24,8 @@ def program(*words: str) -> "subprocess.CompletedProcess[str]":
 
 def test_python_runs_the_package() -> None:
     done = program("info", "gallery:ell", "--json")
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0
+    assert [line for line in done.stderr.splitlines() if not line.startswith("compiling kernels")] == []
     assert json.loads(done.stdout)["bounds_disk"]
     done = program("info", "none.csv")
     assert (done.returncode, done.stdout) == (2, "")
@@ -61,3 +64,51 @@ def test_an_output_that_cannot_be_written_is_said_in_one_line() -> None:
         command = [sys.executable, "-m", "tween", "gallery"]
         done = subprocess.run(command, env=BUFFERED, stdout=full, stderr=subprocess.PIPE, text=True)
     assert (done.returncode, done.stderr) == (2, "tween: output: No space left on device\n")
+
+
+def interrupted(folder: Path, *words: str, at: str) -> tuple[int, str]:
+    """Interrupt a command when it says what it is doing; returns the exit status and what it said after that."""
+    command = [sys.executable, "-m", "tween", *words]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, cwd=folder, stdout=pipe, stderr=pipe, text=True, start_new_session=True) as process:
+        assert process.stderr
+        while at not in process.stderr.readline():
+            assert process.poll() is None
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        _, said = process.communicate(timeout=60)
+        return process.returncode, said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["film.gif", "film.svg"])
+def test_an_interrupted_film_leaves_what_was_there_and_no_part_of_a_file(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_bytes(b"what stood there before")
+    words = "morph", "gallery:arrow", "gallery:ell", "-o", name, "--frames", "2000", "--size", "1500", "-v"
+    assert interrupted(tmp_path, *words, at="writing") == (130, "tween: interrupted\n")
+    assert (tmp_path / name).read_bytes() == b"what stood there before"
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.slow
+def test_an_interrupted_warmup_says_so_in_one_line(tmp_path: Path) -> None:
+    status, said = interrupted(tmp_path, "warmup", "--jobs", "2", at="compiling")
+    assert (status, said.splitlines()[-1]) == (130, "tween: interrupted")
+    assert "Traceback" not in said
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="only some systems have a folder that takes no files")
+@pytest.mark.parametrize(
+    "line",
+    [
+        "gallery ell -o /proc/out.svg",
+        "clean gallery:ell -o /proc/out.csv",
+        "info gallery:ell -o /proc/out.svg",
+        "triangulate gallery:ell -o /proc/out.obj",
+        "morph gallery:ell disk -o /proc/out.npz --frames 2",
+    ],
+)
+def test_a_path_that_cannot_be_written_is_said_in_one_line(line: str) -> None:
+    done = program(*line.split())
+    assert done.returncode == 2
+    assert re.fullmatch(r"tween: /proc/out\.\w+: .+", done.stderr.splitlines()[-1])
+    assert len([said for said in done.stderr.splitlines() if not said.startswith("compiling kernels")]) == 1

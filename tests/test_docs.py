@@ -168,6 +168,7 @@ def test_the_code_of_a_page_does_what_the_page_shows(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("tween.app.command_line.stages.PATIENCE", 600.0)  # what is compiled depends on the cache
     names: dict[str, Any] = {"__name__": "__main__"}  # where workers do not look for what is defined
     complaints = []
     for block in blocks(page.read_text(encoding="utf-8")):

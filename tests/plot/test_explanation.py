@@ -1,11 +1,14 @@
 """Pictures of explanations show what the explanation names."""
 
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
 from tween import decompose, gallery, plot
+from tween.errors import FileError
 
 EIGHT = [(0, 0), (4, 4), (4, 0), (0, 3)]
 BAND = [(0, -1), (3, 1), (6, -1), (6, 1), (3, -1), (0, 1)]
@@ -34,3 +37,16 @@ def test_the_current_axes_are_the_default() -> None:
     figure, ax = plt.subplots()
     assert plot.draw_explanation(decompose(EIGHT).explain()) is ax
     plt.close(figure)
+
+
+@pytest.mark.parametrize(("suffix", "start"), [(".svg", b"<?xml"), (".png", b"\x89PNG"), (".pdf", b"%PDF")])
+def test_a_picture_in_a_file_is_the_same_each_time(tmp_path: Path, suffix: str, start: bytes) -> None:
+    explanation = decompose(BAND).explain()
+    paths = [plot.save_explanation(tmp_path / f"{i}{suffix}", explanation) for i in range(2)]
+    assert paths[0].read_bytes().startswith(start)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_a_file_of_another_kind_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match=r"expected one of .pdf, .png, .svg"):
+        plot.save_explanation(tmp_path / "why.gif", decompose(BAND).explain())

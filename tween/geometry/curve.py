@@ -16,6 +16,7 @@ from tween.errors import CurveError
 from tween.geometry.halving import dented, halve_longest_edges
 from tween.geometry.meeting_edges import meeting_edges
 from tween.geometry.predicates import EXACT_RANGE, orient2d
+from tween.geometry.rings import ring_points
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
 
@@ -64,7 +65,7 @@ class Curve:
 
     Parameters
     ----------
-    points : array_like, shape (n, 2), n >= 3
+    points : array_like, shape (n, 2), n >= 3, or a polygon or ring of shapely
         Vertices in order along the curve; the last one is joined to the first, and dropped where it repeats
         it, as closed rings have it; `origin` tells the rows that are left.  A curve of negative
         turning number is traversed the other way round, vertex 0 staying first, and says so in
@@ -261,6 +262,7 @@ def _validated(points: ArrayLike) -> NDArray[np.float64]:
 
 def _as_doubles(points: ArrayLike) -> NDArray[np.float64]:
     """Copy numbers to doubles, or raise the `CurveError` that says what would be lost."""
+    points = ring_points(points)
     if np.ma.is_masked(points):
         hidden = np.atleast_1d(np.ma.getmaskarray(np.ma.asarray(points)))
         raise CurveError(f"vertex {int(np.argwhere(hidden)[0, 0])} is masked, expected coordinates of every vertex")

@@ -1,8 +1,8 @@
 """Files: curves and strokes read and written, triangulations and the frames of morphs written."""
 
-from tween.io.fit import fit
+from tween.io.fitting import fit
 from tween.io.frames import read_frames, write_frames
-from tween.io.landmarks import landmarks, read_marks
+from tween.io.marks import landmarks, read_marks
 from tween.io.reading import read_curve, read_curves, read_stroke, stroke
 from tween.io.writing import write_curve, write_triangulation
 

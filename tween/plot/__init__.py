@@ -2,7 +2,7 @@
 
 from tween.colors import EDGE, FAILURE, INK, PIVOT, RANDOM, SOURCE, TARGET, TREE
 from tween.plot.animation import save_animation
-from tween.plot.explanation import draw_explanation
+from tween.plot.explanation import draw_explanation, save_explanation
 from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
 from tween.plot.shapes import (
     draw_dual_tree,
@@ -38,6 +38,7 @@ __all__ = [
     "identity_colors",
     "regions",
     "save_animation",
+    "save_explanation",
     "use_style",
     "winding_number",
 ]

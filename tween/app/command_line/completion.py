@@ -3,7 +3,6 @@
 import os
 import sys
 from collections.abc import Iterable
-from typing import Any
 
 import click
 from click.shell_completion import CompletionItem, shell_complete
@@ -36,11 +35,13 @@ def complete(command: click.Command) -> int | None:
     return status
 
 
-def files(_: Any, __: Any, incomplete: str) -> list[CompletionItem]:
+def files(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     """Leave it to the shell to list files.
 
     Parameters
     ----------
+    context : Context
+    parameter : Parameter
     incomplete : str
 
     Returns
@@ -50,11 +51,13 @@ def files(_: Any, __: Any, incomplete: str) -> list[CompletionItem]:
     return [CompletionItem(incomplete, type="file")]
 
 
-def names(_: Any, __: Any, incomplete: str) -> list[CompletionItem]:
+def names(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     """List curves that come with tween, with their kind and without.
 
     Parameters
     ----------
+    context : Context
+    parameter : Parameter
     incomplete : str
 
     Returns

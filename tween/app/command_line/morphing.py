@@ -60,7 +60,7 @@ def _morph(
     ends: list[Curve | Triangulation],
     landmarks: list[tuple[int, int]] | None,
 ) -> Morph:
-    words = ("path", "guarantee", "strategy", "placement", "root")
+    words = ("path", "guarantee", "strategy", "placement", "root", "pace")
     source, target = ends
     try:
         return morph_between(source, target, **{name: getattr(options, name) for name in words}, landmarks=landmarks)

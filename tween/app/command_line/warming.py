@@ -101,6 +101,7 @@ def _match() -> None:
 def _recognise() -> None:
     curve = gallery.curve(_SEVERAL_DISKS)
     answer = decompose(curve)
+    _ = answer.count, decompose(gallery.curve("horseshoe")).count  # few, and more than doubles can tell apart
     answer.immersions()
     answer.sample(np.random.default_rng(0))
     answer.optimal(costs.edge_length(curve.points))

@@ -173,6 +173,17 @@ class Flow:
         """
         return RESERVE * ((1.0 - tau) * self._left[0] + tau * self._left[1])
 
+    def times(self) -> NDArray[np.float64]:
+        """The flow's own time, at which each piece begins, and that at which the last one ends.
+
+        Returns
+        -------
+        ndarray of float64, shape (pieces + 1,)
+            From 0 to `end`.
+        """
+        left = np.cumprod([1.0, *(1.0 - piece.stop for piece in self.pieces)])
+        return np.asarray(1.0 - left)
+
     def _move_on(self) -> None:
         """Run to the first time at which a waiting flip is possible, and flip."""
         root, reserve = root_triangle(self._root, self.final), np.stack([self.reserve(self.end), self.reserve(1.0)])

@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 from tween.errors import CurveError
 from tween.geometry.curve import Curve, coordinate_fault
 from tween.geometry.halving import halve_longest_edges
-from tween.geometry.pieces import Piece, droppable, tidied
-from tween.geometry.smoothing import Path, smoothed
+from tween.geometry.rings import ring_points
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.repair.changes import Changes, Dropped
+from tween.triangulating.repair.pieces import Piece, droppable, tidied
+from tween.triangulating.repair.smoothing import Path, smoothed
 
 _SHARES = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)  # of the smoothing asked for, that are tried
 _CLOSE = 0.05  # how near ends have to come, as a share of the size
@@ -144,7 +145,7 @@ class _Request(NamedTuple):
 
 def _checked(points: Curve | ArrayLike) -> _Floats:
     try:
-        p = np.array(points.points if isinstance(points, Curve) else points, dtype=np.float64)
+        p = np.array(points.points if isinstance(points, Curve) else ring_points(points), dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise CurveError(f"points are no array of numbers of shape (k, 2): {error}") from None
     if p.ndim != 2 or p.shape[1] != 2:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tween.geometry.curve import Curve
 from tween.geometry.faces import Face, faces
-from tween.geometry.loops import Meetings, meetings, signed_area, simple_loops, split
+from tween.triangulating.repair.loops import Meetings, meetings, signed_area, simple_loops, split
 from tween.triangulating.repair.mending import Mending, Suggestion, in_words, mend
 
 _TINY = 0.02  # reach of a tiny loop from where it closes, as a share of the size

@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 from tween.errors import CurveError
 from tween.geometry.curve import Curve
 from tween.geometry.faces import covered_area
-from tween.geometry.loops import meetings, split
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.repair.cleaning import clean
+from tween.triangulating.repair.loops import meetings, split
 
 _SMOOTH = 0.04  # smoothing that is tried, as a share of the size
 _NOISY = 200  # crossings beyond which no loops are cut off where cleaning does

@@ -6,7 +6,7 @@ import pytest
 from tween import gallery
 from tween.choices import FITS
 from tween.errors import CurveError
-from tween.io.fit import fit
+from tween.io.fitting import fit
 
 LETTER, PIXELS = gallery.letter("S"), 700 * gallery.curve("horseshoe").points + [3000, -500]
 

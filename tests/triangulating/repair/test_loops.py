@@ -9,7 +9,7 @@ from strategies import Points, generic_polygons, grid_polygons, random_polygons
 
 from tween import Curve
 from tween.geometry.faces import covered_area, faces
-from tween.geometry.loops import meetings, signed_area, simple_loops, split
+from tween.triangulating.repair.loops import meetings, signed_area, simple_loops, split
 
 
 @pytest.mark.parametrize("kind", ["scatter", "winding", "strip"])

@@ -17,7 +17,7 @@ import shapely
 from numpy.typing import NDArray
 
 from tween.geometry.curve import find_crossings, spikes
-from tween.geometry.smoothing import Path
+from tween.triangulating.repair.smoothing import Path
 
 _FOLD = -0.7  # cosine of the turn from which on a path may fold back
 _WINDOW = 4  # points on either side by which turns are measured

@@ -7,7 +7,7 @@ from files import saved
 from malformed import svg
 
 from tween.errors import FileError
-from tween.io.landmarks import landmarks, read_marks
+from tween.io.marks import landmarks, read_marks
 
 SQUARE = [[0, 0], [10, 0], [10, 10], [0, 10]]
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.geometry.curve import Crossings, Curve
-from tween.geometry.pieces import tidied
+from tween.triangulating.repair.pieces import tidied
 
 _Floats = NDArray[np.float64]
 

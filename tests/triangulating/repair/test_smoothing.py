@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tween.geometry.smoothing import Path, smoothed
+from tween.triangulating.repair.smoothing import Path, smoothed
 
 OPEN = Path(np.array([[0.0, 0], [4, 0], [4, 3]]), np.array([0.0, 1, 2]))
 CLOSED = Path(np.array([[0.0, 0], [4, 0], [4, 3]]), np.array([0.0, 1, 2]), 3.0)

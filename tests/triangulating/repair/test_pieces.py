@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tween.geometry.pieces import droppable, tidied
-from tween.geometry.smoothing import Path
+from tween.triangulating.repair.pieces import droppable, tidied
+from tween.triangulating.repair.smoothing import Path
 
 RADIUS = 0.1
 
