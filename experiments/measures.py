@@ -20,6 +20,7 @@ PARAMETERS: dict[str, Any] = {
     "samples": 1000,
     "frames": 100,
     "paths": ["linear", "slide"],
+    "pace": "time",
     "tolerances": [1e-4, 1e-6, 1e-9],
     "root": "disk-center",
     "disk": "equal area, vertices spaced by arc length",
@@ -88,9 +89,9 @@ def areas_to_disk(
     frames: int = PARAMETERS["frames"],
     root: Root | None = None,
 ) -> NDArray[np.float64]:
-    """The area matrix of the morph to a disk, vertex i to vertex i."""
+    """The area matrix of the morph to a disk, vertex i to vertex i, in the morph's own time."""
     root = PARAMETERS["root"] if root is None else root
-    m = morph_compatible(T, T.moved(disk), path, guarantee=False, placement="root", root=root)
+    m = morph_compatible(T, T.moved(disk), path, guarantee=False, placement="root", root=root, pace="time")
     return area_matrix(m, frames)
 
 
