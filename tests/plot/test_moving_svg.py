@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tween import Morph, paper_morph
+from tween import Morph, paper_morph, sequence
 from tween.choices import STYLES
 from tween.gallery import pair
 from tween.plot.film import record
@@ -153,3 +153,23 @@ def test_a_page_can_be_paused_and_scrubbed(m: Morph, browse) -> None:
     )
     assert np.abs(outline - unit * shown.shapes[5]).max() <= 0.6
     assert np.abs(triangles - unit * shown.shapes[5][shown.triangles[5]]).max() <= 0.6
+
+
+def test_an_opaque_disk_is_its_outline_filled(m: Morph) -> None:
+    shown = record(m, frames=5, style="fill", fill="black", stroke="none", background="transparent")
+    root = ET.fromstring(svg(shown))
+    (group,) = root.iter(f"{SVG}g")
+    assert (group.get("fill"), group.get("stroke")) == ("#000000", "none")
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+    assert not list(root.iter(f"{SVG}rect")), "the background is transparent"
+    half = svg(record(m, frames=5, style="fill", fill="#00000080"))
+    assert half.count("<path") == 1 + len(m.source) - 2
+
+
+def test_a_loop_of_keyframes_ends_with_the_shape_that_it_began_with() -> None:
+    triangle, square, bar = [[0, 0], [3, 0], [0, 3]], [[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 0], [4, 0], [4, 1], [0, 1]]
+    shown = record(sequence([triangle, square, bar], loop=True), frames=20, there_and_back=False, verified=True)
+    assert not shown.trouble
+    for animate in ET.fromstring(svg(shown)).iter(f"{SVG}animate"):
+        first, *_, last = animate.get("values").split(";")
+        assert first == last

@@ -49,7 +49,9 @@ def svg(film: Film) -> str:
     """
     numbers, timing = _timing(film)
     finer = _finer(film)
-    outline, triangles = _rounded(film, finer), _triangles(film, _rounded(film))
+    # of an opaque disk all layers look alike, and its outline filled is the same picture
+    opaque = film.style == "fill" and film.opacity == 1
+    outline, triangles = _rounded(film, finer), [] if opaque else _triangles(film, _rounded(film))
 
     def animation(attribute: str, values: list[str]) -> str:
         return f'<animate attributeName="{attribute}" {timing} values="{";".join(values[k] for k in numbers)}"/>'
@@ -137,14 +139,15 @@ def _drawing(
         lines.append(f'<g class="triangles"{scales[0]} fill-opacity="{film.opacity:g}" {edges}>')
         lines += [fill + path for fill, path in zip(fills, triangles, strict=True)]
         lines.append("</g>")
-    elif film.style == "fill":  # without smoothed edges, so that neighbours leave no seam
+    elif film.style == "fill" and triangles:  # without smoothed edges, so that neighbours leave no seam
         fill = f'fill="{first}" fill-opacity="{film.opacity:g}" shape-rendering="crispEdges"'
         lines.append(f'<g class="triangles"{scales[0]} {fill}>{tint}')
         lines += ["<path " + path for path in triangles]
         lines.append("</g>")
     color, tint = (first, tint) if film.style == "outline" else (_hex(film.ink), "")
+    fill = first if film.style == "fill" and not triangles else "none"
     stroke = f'stroke="{color if film.line else "none"}" stroke-width="{width * finer[1]}"'
-    lines.append(f'<g class="outline"{scales[1]} fill="none" {stroke}>{tint}<path {outline}</g>')
+    lines.append(f'<g class="outline"{scales[1]} fill="{fill}" {stroke}>{tint}<path {outline}</g>')
     return "\n".join([*lines, "</svg>\n"])
 
 
