@@ -24,6 +24,8 @@ from .measuring.playback import playback as playback
 from .morphing.matching.match import Match as Match
 from .morphing.matching.match import match as match
 from .morphing.morph import Morph as Morph
+from .morphing.sequence import Sequence as Sequence
+from .morphing.sequence import sequence as sequence
 from .morphing.strategy import morph as morph
 from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation

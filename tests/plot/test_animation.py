@@ -1,7 +1,5 @@
 """Animations in files: frames, durations, sizes; whole or not at all; the same bytes every time."""
 
-import shutil
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tween import Morph, TweenError, paper_morph
+from tween import Morph, Sequence, TweenError, paper_morph, sequence
 from tween.errors import FileError
 from tween.gallery import pair
 from tween.plot import animation
@@ -18,7 +16,8 @@ from tween.plot.film import record
 from tween.plot.pixels import picture
 
 PICTURES = (".gif", ".png", ".apng", ".webp")
-SMALL: dict[str, Any] = {"frames": 6, "size": 64}
+SMALL: dict[str, Any] = {"frames": 11, "size": 64}
+FILM: dict[str, Any] = {"frames": 6, "size": 64}  # there, of which the way back has five more
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +61,7 @@ def test_one_way_ends_at_the_target(tmp_path: Path, m: Morph, suffix: str) -> No
 
 def test_a_png_holds_the_pictures_exactly(tmp_path: Path, m: Morph) -> None:
     frames, _ = frames_of(save_animation(tmp_path / "a.png", m, **SMALL))
-    shown = record(m, **SMALL)
+    shown = record(m, **FILM)
     for k, frame in zip(shown.numbers, frames, strict=True):
         np.testing.assert_array_equal(frame, np.asarray(picture(shown, k)))
 
@@ -73,7 +72,7 @@ def test_a_gif_keeps_background_and_ink_and_comes_close_to_every_colour(
 ) -> None:
     options = SMALL | {"background": background, "size": 160}
     frames, _ = frames_of(save_animation(tmp_path / "a.gif", m, **options))
-    shown = record(m, **options)
+    shown = record(m, **options | {"frames": 6})
     for k, frame in zip(shown.numbers, frames, strict=True):
         exact = np.asarray(picture(shown, k), dtype=float)
         for color in (shown.background, shown.ink):
@@ -97,6 +96,87 @@ def test_the_same_call_writes_the_same_bytes(tmp_path: Path, m: Morph, suffix: s
 
 def test_a_text_or_a_capital_suffix_will_do(tmp_path: Path, m: Morph) -> None:
     assert save_animation(str(tmp_path / "A.GIF"), m, **SMALL).read_bytes()[:4] == b"GIF8"
+
+
+# How many frames, and how large
+
+
+@pytest.mark.parametrize("frames", [2, 3, 6, 7, 60])
+def test_so_many_frames_are_so_many_there_and_back_and_one_way(tmp_path: Path, m: Morph, frames: int) -> None:
+    for name, back in (("back", True), ("there", False)):
+        path = save_animation(tmp_path / f"{name}.png", m, frames=frames, size=32, there_and_back=back, hold=0)
+        assert len(frames_of(path)[0]) == frames
+
+
+def test_an_even_number_of_frames_goes_round_without_a_double(tmp_path: Path, m: Morph) -> None:
+    frames, _ = frames_of(save_animation(tmp_path / "a.png", m, frames=6, size=64))
+    np.testing.assert_array_equal(frames[1], frames[5])
+    assert np.abs(frames[0] - frames[5]).max() > 0
+
+
+@pytest.fixture(scope="module")
+def loop() -> Sequence:
+    triangle, square, bar = [[0, 0], [3, 0], [0, 3]], [[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 0], [4, 0], [4, 1], [0, 1]]
+    return sequence([triangle, square, bar], loop=True)
+
+
+@pytest.mark.parametrize("style", ["triangles", "outline", "fill"])
+def test_a_loop_goes_round_once_and_ends_as_it_began(tmp_path: Path, loop: Sequence, style: Any) -> None:
+    frames, durations = frames_of(save_animation(tmp_path / "a.png", loop, frames=13, size=64, style=style))
+    assert (len(frames), set(durations)) == (13, {40})
+    np.testing.assert_array_equal(frames[0], frames[-1])
+    assert np.abs(frames[0] - frames[4]).max() > 100
+    shown = frames_of(save_animation(tmp_path / "b.png", loop, size=64))[1]
+    assert sum(shown) == 91 * 40, "30 steps a leg; pictures that look alike are one"
+
+
+def test_a_small_gif_is_below_half_a_megabyte_and_as_large_as_that_allows(tmp_path: Path, m: Morph) -> None:
+    path = save_animation(tmp_path / "a.gif", m, frames=80, size="small")
+    assert path.stat().st_size < 500_000
+    with Image.open(path) as image:
+        small = max(image.size)
+    larger = min((side for side in animation._SMALL_SIDES if side > small), default=None)
+    assert small >= 100
+    if larger is not None:
+        assert save_animation(tmp_path / "b.gif", m, frames=80, size=larger).stat().st_size > 450_000
+
+
+def test_a_size_in_other_words_is_refused(tmp_path: Path, m: Morph) -> None:
+    with pytest.raises(ValueError, match="size is 'tiny', expected a number of pixels, two of them, or 'small'"):
+        save_animation(tmp_path / "a.gif", m, size="tiny")  # type: ignore[arg-type]
+
+
+def test_numbered_pictures_are_the_frames_one_by_one(tmp_path: Path, m: Morph) -> None:
+    path = save_animation(tmp_path / "frame_%03d.png", m, **SMALL)
+    shown = record(m, **FILM)
+    assert path.name == "frame_%03d.png"
+    assert sorted(file.name for file in tmp_path.iterdir()) == [f"frame_{i:03}.png" for i in range(11)]
+    for i, k in enumerate(shown.numbers):
+        with Image.open(tmp_path / f"frame_{i:03}.png") as image:
+            np.testing.assert_array_equal(np.asarray(image), np.asarray(picture(shown, k)))
+
+
+@pytest.mark.parametrize("name", ["a_%d.gif", "a_%d_%d.png", "100%_%d.png"])
+def test_a_name_with_a_number_that_cannot_be_is_refused(tmp_path: Path, m: Morph, name: str) -> None:
+    with pytest.raises(FileError, match="expected one place for a number, such as %04d"):
+        save_animation(tmp_path / name, m, **SMALL)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("suffix", PICTURES)
+def test_a_transparent_background_is(tmp_path: Path, m: Morph, suffix: str) -> None:
+    path = save_animation(tmp_path / f"a{suffix}", m, background="transparent", fill="black", **SMALL)
+    with Image.open(path) as image:
+        image.seek(3)
+        alpha = np.asarray(image.convert("RGBA"))[..., 3]
+    assert alpha[0, 0] == 0 and alpha.max() == 255
+    opaque = np.asarray(picture(record(m, style="fill", fill="black", **FILM), 3).convert("L")) < 20
+    assert (alpha[opaque] > 200).mean() > 0.95
+
+
+def test_a_video_has_no_transparent_background(tmp_path: Path, m: Morph) -> None:
+    with pytest.raises(FileError, match=r"an \.mp4 has no transparent background; \.webp, \.png and \.gif do"):
+        save_animation(tmp_path / "a.mp4", m, background="transparent")
 
 
 # Refusals
@@ -135,53 +215,3 @@ def test_a_failure_leaves_an_existing_file_untouched(
         save_animation(path, m, **SMALL | ({"fps": 0} if failure == "option" else {}))
     assert path.read_text() == "precious"
     assert list(tmp_path.iterdir()) == [path]
-
-
-# Video
-
-
-@pytest.fixture
-def ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """Put a program named ffmpeg in the place of all programs; without code, none."""
-    programs = tmp_path / "programs"
-    programs.mkdir()
-    monkeypatch.setenv("PATH", str(programs))
-    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-
-    def install(code: str) -> None:
-        program = programs / "ffmpeg"
-        program.write_text(f"#!{sys.executable}\nimport sys\n{code}\n")
-        program.chmod(0o755)
-
-    return install
-
-
-def test_without_ffmpeg_a_video_is_refused_with_what_would_work(tmp_path: Path, m: Morph, ffmpeg) -> None:
-    with pytest.raises(FileError, match=r"needs the program ffmpeg.*or choose \.webp or \.gif"):
-        save_animation(tmp_path / "a.mp4", m, **SMALL)
-    assert not (tmp_path / "a.mp4").exists()
-
-
-def test_ffmpeg_gets_every_frame_as_often_as_it_shows(tmp_path: Path, m: Morph, ffmpeg) -> None:
-    ffmpeg("open(sys.argv[-1], 'wb').write(' '.join(sys.argv).encode() + b'\\n' + sys.stdin.buffer.read())")
-    path = save_animation(tmp_path / "a.mp4", m, fps=10, hold=0.3, **SMALL)
-    command, content = path.read_bytes().split(b"\n", 1)
-    shown = record(m, **SMALL)
-    counts = [4, 1, 1, 1, 1, 4, 1, 1, 1, 1, 1]
-    expected = b"".join(picture(shown, k).tobytes() * c for k, c in zip(shown.numbers, counts, strict=True))
-    assert content == expected
-    assert f"-video_size {shown.width}x{shown.height} -framerate 10 ".encode() in command
-
-
-@pytest.mark.parametrize("code", ["sys.exit('no such codec')", "sys.stdin.read()\nsys.exit('no such codec')"])
-def test_what_ffmpeg_complains_of_is_passed_on(tmp_path: Path, m: Morph, ffmpeg, code: str) -> None:
-    ffmpeg(code.replace("sys.stdin.read", "sys.stdin.buffer.read"))
-    with pytest.raises(FileError, match="ffmpeg could not make the video: no such codec"):
-        save_animation(tmp_path / "a.mp4", m, frames=20, size=200)
-    assert not (tmp_path / "a.mp4").exists()
-
-
-@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="no ffmpeg is installed, which makes videos")
-def test_a_video_of_odd_size_is_made_twice_the_same(tmp_path: Path, m: Morph) -> None:
-    one, other = (save_animation(tmp_path / f"{i}.mp4", m, frames=6, size=(65, 63)).read_bytes() for i in range(2))
-    assert one == other and b"ftyp" in one[:16]

@@ -9,6 +9,7 @@ from matplotlib.colors import to_rgb
 
 from tween import Morph, morph, paper_morph, triangulate
 from tween.colors import SOURCE, TARGET
+from tween.easing import as_ease
 from tween.gallery import curve, pair
 from tween.plot.film import Film, record
 from tween.plot.shapes import identity_colors
@@ -100,41 +101,6 @@ def test_triangles_have_the_colours_of_their_identity_and_shapes_go_from_the_sou
     assert [shown.tints[0].tolist(), shown.tints[-1].tolist()] == ends
 
 
-def test_outlines_are_light_on_dark_backgrounds(plain: Morph) -> None:
-    for background, light in (("white", False), ("#fff7e0", False), ("black", True), ("#102040", True)):
-        assert (record(plain, frames=2, background=background).ink[0] > 128) is light
-
-
-@pytest.mark.parametrize(
-    ("option", "value", "expected"),
-    [
-        ("frames", 1, "at least 2"),
-        ("frames", 2.0, "a whole number"),
-        ("frames", True, "a whole number"),
-        ("fps", 0, "from 0.1 to 100"),
-        ("fps", 101, "from 0.1 to 100"),
-        ("fps", float("nan"), "from 0.1 to 100"),
-        ("fps", "fast", "from 0.1 to 100"),
-        ("size", 15, "from 16 to 2048"),
-        ("size", 5000, "from 16 to 2048"),
-        ("size", (100, 0), "from 16 to 2048"),
-        ("size", (100, 100, 100), "or two of them"),
-        ("size", 99.5, "a whole number"),
-        ("style", "sketch", "one of triangles, outline, fill"),
-        ("hold", -0.1, "from 0 to 30"),
-        ("hold", float("inf"), "from 0 to 30"),
-        ("background", "whitish", "a colour such as"),
-        ("background", "none", "a colour such as"),
-        ("background", "#ff000080", "a colour such as"),
-    ],
-)
-def test_an_option_that_is_none_is_named_with_what_was_expected(
-    plain: Morph, option: str, value: Any, expected: str
-) -> None:
-    with pytest.raises(ValueError, match=rf"^{option} is .*, expected .*{expected}"):
-        record(plain, **{option: value})
-
-
 def test_only_a_morph_has_a_film(plain: Morph) -> None:
     with pytest.raises(ValueError, match=r"m is <class .*ndarray.*>, expected a Morph"):
         record(plain.frames(3))  # type: ignore[arg-type]
@@ -143,3 +109,14 @@ def test_only_a_morph_has_a_film(plain: Morph) -> None:
 def test_one_triangle_is_enough() -> None:
     shown: Film = record(morph([[0, 0], [4, 0], [0, 3]], [[0, 0], [1, 0], [1, 1]]), frames=3, size=64)
     assert shown.shapes.shape == (3, 3, 2) and shown.triangles.shape == (3, 1, 3)
+
+
+def test_an_ease_of_css_says_when_shapes_are_shown(plain: Morph) -> None:
+    shown = record(plain, frames=11, ease="cubic-bezier(0.42, 0, 1, 1)")
+    np.testing.assert_allclose(shown.times, as_ease("ease-in").at(np.linspace(0, 1, 11)))
+
+
+def test_flips_come_when_they_do_by_any_clock(flipping: Morph) -> None:
+    shown = record(flipping, frames=30, ease="ease")
+    for t, triangles in zip(shown.times, shown.triangles, strict=True):
+        assert (np.sort(triangles, axis=1) == np.sort(flipping.triangles_at(float(t)), axis=1)).all()

@@ -8,7 +8,8 @@ import pytest
 from tween import Morph, morph, paper_morph, triangulate
 from tween.gallery import curve, pair
 from tween.plot import pixels
-from tween.plot.film import OPACITY, Film, record
+from tween.plot.film import Film, record
+from tween.plot.look import OPACITY
 from tween.plot.pixels import picture
 from tween.plot.shapes import winding_number
 

@@ -255,6 +255,41 @@ def morph_compatible(
     return _in_order(Alignment(source, target, 0, every, every, None, 0), _Choices(path, guarantee, placement, root))
 
 
+def morph_as_numbered(
+    source: Triangulation,
+    target: Triangulation,
+    path: Path = "metric",
+    guarantee: bool = True,
+    placement: Placement = "steady",
+    root: Root = "disk-center",
+) -> Morph:
+    """Morph between two triangulations vertex i to vertex i, by flips where their triangles differ.
+
+    Parameters
+    ----------
+    source, target : Triangulation
+        With equally many vertices.
+    path, guarantee, placement, root
+        As for `morph`.
+
+    Returns
+    -------
+    Morph
+
+    Examples
+    --------
+    >>> T = Triangulation([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+    >>> len(morph_as_numbered(T, Triangulation(T.points, [[0, 1, 3], [1, 2, 3]])).events)
+    1
+    """
+    if source.triangles is target.triangles or np.array_equal(source.canonical, target.canonical):
+        return morph_compatible(source, target, path, guarantee, placement, root)
+    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
+    every, crossings = np.arange(len(source)), count_crossings(source, target)
+    alignment = Alignment(source, target, 0, every, every, None, crossings)
+    return _in_order(alignment, _Choices(path, guarantee, placement, root))
+
+
 def _check_words(**given: tuple[str, Sequence[str]]) -> None:
     for name, (value, allowed) in given.items():
         if value not in allowed:

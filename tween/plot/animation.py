@@ -3,80 +3,98 @@
 The suffix decides which kind of file:
 
     .gif         plays everywhere; at most 256 colours, and 50 frames a second
-    .png .apng   an animated PNG: all colours, sharp, large
+    .png .apng   an animated PNG: all colours, sharp, large; with a place for a number in the name, such as
+                 frame_%04d.png, many files, one for each picture
     .webp        a WebP: all colours, smaller
-    .mp4         a video, small; needs the program ffmpeg
+    .mp4         a video, small; needs the program ffmpeg, which the package imageio-ffmpeg brings along
     .svg         an SVG that plays by itself, sharp at every size, see `moving_svg`
     .html        a page with a player: pause, and look at any time
 """
 
-import importlib
 import io
 import os
-import shutil
-import subprocess
-import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+import re
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any, Literal
 
 import numpy as np
 from PIL import Image
 
 from tween.choices import Style
+from tween.easing import AnyEase
 from tween.errors import FileError
 from tween.io import whole_files
 from tween.morphing.morph import Morph
-from tween.plot import moving_svg
+from tween.morphing.sequence import Sequence
+from tween.plot import moving_svg, video
 from tween.plot.film import Film, record
 from tween.plot.pixels import picture
 
 _GIF_FASTEST = 50  # frames a second; browsers slow down a GIF that asks for more
 _MOVING = (".svg", ".html")
 _PALETTE_FROM = 12  # frames
+_FRAMES, _FRAMES_OF_A_LEG = 60, 30  # shapes on the way of a morph, steps on every leg of a sequence
+_SMALL, _SMALL_SIDES = 500_000, (420, 360, 300, 250, 210, 175, 145, 120, 100, 80)  # bytes; pixels that are tried
+_NUMBER = re.compile(r"%(?:0\d)?d")
 
 
 def save_animation(
     path: str | os.PathLike[str],
     m: Morph,
-    frames: int = 60,
+    frames: int | None = None,
     fps: float = 25,
-    size: int | tuple[int, int] = 480,
-    style: Style = "triangles",
-    ease: bool = True,
-    hold: float = 0.4,
-    there_and_back: bool = True,
+    size: int | tuple[int, int] | Literal["small"] = 480,
+    style: Style | None = None,
+    ease: AnyEase | None = None,
+    hold: float | None = None,
+    there_and_back: bool | None = None,
     background: str = "white",
+    fill: str | None = None,
+    stroke: str | None = None,
+    width: float | None = None,
 ) -> Path:
     """Save a morph as an animation that goes round endlessly, all shapes at one scale.
 
     Parameters
     ----------
     path : path-like
-        Its suffix is one of `formats`.  The file is written whole or not at all.
-    m : Morph
-    frames : int
-        Shapes from the source to the target, both included, at least 2; a way back shows the same ones.  In SVG and
-        HTML they only say how long it takes: the shapes are those of `tween.playback`.
+        Its suffix is one of `formats`.  The file is written whole or not at all.  "frames_%04d.png" makes as many PNG
+        files as there are frames, numbered from 0, which rest no longer than others.
+    m : Morph or Sequence
+    frames : int, optional
+        Pictures in the file, all in all: on the way there and, where there is one, on the way back.  By default 60 on
+        the way there, and for a sequence 30 a leg and one more.  In SVG and HTML they only say how long it takes: the
+        shapes are those of `tween.playback`.
     fps : float
         Frames a second, from 0.1 to 100; in a GIF up to 50.
-    size : int or (int, int)
-        Pixels: of the longer side, the other being as long as the shapes need; or width and height.
-    style : {"triangles", "outline", "fill"}
-        Triangles coloured by identity; the curve alone; or the disk, the darker the more layers it has.
-    ease : bool
-        Whether the motion starts and ends slowly; otherwise the shapes are evenly spaced in time.
-    hold : float
-        Seconds for which the source and the target rest, up to 30.
-    there_and_back : bool
-        Whether the frames run back to the source.
+    size : int, (int, int) or "small"
+        Pixels: of the longer side, the other being as long as the shapes need; or width and height.  "small": as large
+        as fits into 500 kB, of 64 colours in a GIF.
+    style : {"triangles", "outline", "fill"}, optional
+        Triangles coloured by identity; the curve alone; or the disk, the darker the more layers it has.  By default
+        triangles, but the disk where `fill` is given.
+    ease : str, four float or bool, optional
+        How the motion spends its time: a name of CSS, "cubic-bezier(x1, y1, x2, y2)" or its numbers, see
+        `tween.easing.as_ease`.  By default a morph starts and ends slowly, and a sequence keeps its own time.
+    hold : float, optional
+        Seconds for which the source and the target rest, up to 30.  By default 0.4, and 0 for a sequence.
+    there_and_back : bool, optional
+        Whether the frames run back to the source.  By default so for a morph, not for a sequence.
     background : colour
+        Or "transparent"; a GIF has no half-transparent pixels, and a video none at all.
+    fill : colour, optional
+        Of the disk.
+    stroke : colour, optional
+        Of its outline; "none" for no outline.
+    width : float, optional
+        Of the outline, in pixels.
 
     Returns
     -------
     Path
-        Of the file.
+        Of the file; of numbered ones as given.
 
     Raises
     ------
@@ -96,19 +114,89 @@ def save_animation(
 
     Examples
     --------
+    >>> import tempfile
     >>> from tween import gallery, morph, triangulate
     >>> T = triangulate(gallery.curve("ess"))
     >>> m = morph(T, T.on_disk())
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     file = save_animation(Path(folder) / "ess.gif", m, frames=5, size=90)
+    ...     file = save_animation(Path(folder) / "ess.gif", m, frames=6, size=90)
     ...     with Image.open(file) as image:
     ...         print(file.name, image.n_frames)
-    ess.gif 9
+    ess.gif 6
     """
     check_format(path, fps)
-    moving = Path(path).suffix.lower() in _MOVING
-    shown = record(m, frames, fps, size, style, ease, hold, there_and_back, background, verified=moving)
-    return whole_files.write(path, {suffix: partial(encode, shown) for suffix, encode in _ENCODERS.items()})
+    suffix, loose = Path(path).suffix.lower(), isinstance(m, Sequence)
+    if suffix == ".mp4" and background == "transparent":
+        raise FileError(f"{os.fspath(path)}: an .mp4 has no transparent background; .webp, .png and .gif do")
+    back = not loose if there_and_back is None else there_and_back
+    pictures = _count(m, frames, back)
+    made: Callable[[int | tuple[int, int]], Film] = partial(
+        _recorded,
+        m=m,
+        frames=pictures // 2 + 1 if back else pictures,
+        fps=fps,
+        style=style or ("triangles" if fill is None else "fill"),
+        ease=(not loose) if ease is None else ease,
+        hold=(0.0 if loose else 0.4) if hold is None else hold,
+        there_and_back=back,
+        background=background,
+        verified=suffix in _MOVING,
+        fill=fill,
+        stroke=stroke,
+        width=width,
+        pictures=pictures,
+    )
+    if isinstance(size, str):
+        return _write_small(path, made, size)
+    if _NUMBER.search(Path(path).name):
+        return _write_numbered(path, made(size))
+    return whole_files.write(path, {known: partial(encode, made(size)) for known, encode in _encoders().items()})
+
+
+def _recorded(size: int | tuple[int, int], **options: Any) -> Film:
+    return record(size=size, **options)
+
+
+def _count(m: Morph, frames: int | None, back: bool) -> int:
+    """How many pictures there are all in all."""
+    if frames is None:
+        there = _FRAMES_OF_A_LEG * len(m.legs) + 1 if isinstance(m, Sequence) else _FRAMES
+        return 2 * there - 1 if back else there
+    if isinstance(frames, bool) or not isinstance(frames, int | np.integer) or frames < 2:
+        raise ValueError(f"frames is {frames!r}, expected a whole number, at least 2: the source and the target")
+    return int(frames)
+
+
+def _write_small(path: str | os.PathLike[str], made: Callable[[int], Film], size: str) -> Path:
+    """Write the largest of several sizes that is small enough."""
+    if size != "small":
+        raise ValueError(f"size is {size!r}, expected a number of pixels, two of them, or 'small'")
+    suffix = Path(path).suffix.lower()
+    encode = _encoders(colors=64)[suffix]
+    for side in _SMALL_SIDES:
+        content = encode(made(side))
+        if len(content) < _SMALL:
+            return _write(path, suffix, content)
+    found = f"{len(content)} bytes at {side} pixels, expected less than {_SMALL}"
+    raise FileError(f"{os.fspath(path)}: would have {found}; fewer frames or style='outline' help")
+
+
+def _write_numbered(path: str | os.PathLike[str], shown: Film) -> Path:
+    """Write every picture to a file of its own; none before all are made."""
+    files = [_png_bytes(picture(shown, k)) for k in shown.numbers]
+    for number, content in enumerate(files):
+        _write(Path(path).with_name(Path(path).name % number), ".png", content)
+    return Path(path)
+
+
+def _write(path: str | os.PathLike[str], suffix: str, content: str | bytes) -> Path:
+    return whole_files.write(path, {suffix: lambda: content})
+
+
+def _png_bytes(image: Image.Image) -> bytes:
+    stream = io.BytesIO()
+    image.save(stream, format="PNG")
+    return stream.getvalue()
 
 
 def check_format(path: str | os.PathLike[str], fps: float) -> None:
@@ -139,7 +227,10 @@ def check_format(path: str | os.PathLike[str], fps: float) -> None:
         if suffix == ".gif" and fps > _GIF_FASTEST:
             raise FileError(f"fps is {fps:g}, expected at most {_GIF_FASTEST} in a GIF")
         if suffix == ".mp4":
-            _ffmpeg()
+            video.ffmpeg()
+        places = _NUMBER.findall(Path(path).name)
+        if places and (suffix != ".png" or len(places) > 1 or Path(path).name.count("%") > 1):
+            raise FileError("expected one place for a number, such as %04d, and that in the name of a .png")
 
 
 def formats() -> tuple[str, ...]:
@@ -177,21 +268,27 @@ def _encoded(shown: Film, images: list[Image.Image], unit: int, **options: objec
     return stream.getvalue()
 
 
-def _gif(shown: Film) -> bytes:
+def _gif(shown: Film, colors: int = 256) -> bytes:
     images = _pictures(shown)
-    palette = _palette(images)
-    few = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-    return _encoded(shown, few, 10, format="GIF", optimize=False)
+    plain = [image.convert("RGB") for image in images]
+    palette = _palette(plain, (colors - shown.transparent) // 2)
+    few = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in plain]
+    if not shown.transparent:
+        return _encoded(shown, few, 10, format="GIF", optimize=False)
+    for image, there in zip(few, images, strict=True):
+        image.paste(colors - 1, mask=there.getchannel("A").point([255 * (share < 128) for share in range(256)]))
+    return _encoded(shown, few, 10, format="GIF", optimize=False, transparency=colors - 1, disposal=2)
 
 
-def _palette(images: list[Image.Image]) -> Image.Image:
+def _palette(images: list[Image.Image], half: int) -> Image.Image:
     """Colours for all frames, so that no place changes its shade without reason."""
     chosen = np.linspace(0, len(images) - 1, min(_PALETTE_FROM, len(images))).astype(int)
     everything = Image.fromarray(np.concatenate([np.asarray(images[k])[::2, ::2] for k in chosen]))
     colors: list[int] = []
     # Half of them are those that most pixels have, half are spread: a small blue part of a green shape stays blue.
     for method in (Image.Quantize.MEDIANCUT, Image.Quantize.MAXCOVERAGE):
-        colors += (everything.quantize(128, method=method).getpalette() or [])[: 3 * 128]
+        found = (everything.quantize(half, method=method).getpalette() or [])[: 3 * half]
+        colors += found + [0] * (3 * half - len(found))
     palette = Image.new("P", (1, 1))
     palette.putpalette(colors)
     return palette
@@ -205,55 +302,12 @@ def _webp(shown: Film) -> bytes:
     return _encoded(shown, _pictures(shown), 1, format="WEBP", quality=80, method=2)
 
 
-# Video, by ffmpeg
-
-
 def _mp4(shown: Film) -> bytes:
-    program = _ffmpeg()
-    with tempfile.TemporaryDirectory() as folder:
-        video = Path(folder) / "video.mp4"
-        command = [program, *_ffmpeg_options(shown), str(video)]
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
-            assert run.stdin
-            with suppress(BrokenPipeError):  # ffmpeg gave up; it says why
-                for frame in _raw_frames(shown):
-                    run.stdin.write(frame)
-            _, complaint = run.communicate()
-        if run.returncode or not video.exists():
-            raise FileError(f"ffmpeg could not make the video: {complaint.decode(errors='replace').strip()}")
-        return video.read_bytes()
+    return video.mp4(shown, _pictures(shown))
 
 
-def _ffmpeg_options(shown: Film) -> list[str]:
-    """A side of odd length is padded; what would make the bytes differ from run to run is left out."""
-    background = "0x" + bytes(shown.background).hex()
-    return (
-        f"-loglevel error -f rawvideo -pixel_format rgb24 -video_size {shown.width}x{shown.height}"
-        f" -framerate {shown.fps:g} -i - -vf pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:{background} -pix_fmt yuv420p"
-        " -threads 1 -fflags +bitexact -flags:v +bitexact -map_metadata -1 -movflags +faststart -f mp4"
-    ).split()
-
-
-def _raw_frames(shown: Film) -> Iterator[bytes]:
-    """The frames one after the other, those that rest again and again."""
-    raw = [image.tobytes() for image in _pictures(shown)]
-    counts = np.diff(np.rint(np.cumsum(shown.seconds) * shown.fps).astype(int), prepend=0)
-    for k, count in zip(shown.numbers, counts.tolist(), strict=True):
-        for _ in range(count):
-            yield raw[k]
-
-
-def _ffmpeg() -> str:
-    """The program, on the path or from the package imageio-ffmpeg."""
-    found = shutil.which("ffmpeg")
-    if found:
-        return found
-    with suppress(ImportError, RuntimeError):
-        return str(importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe())
-    raise FileError(
-        "an .mp4 needs the program ffmpeg, and there is none: install it, or the package imageio-ffmpeg, "
-        "or choose .webp or .gif"
-    )
+def _encoders(colors: int = 256) -> dict[str, Callable[[Film], str | bytes]]:
+    return _ENCODERS | {".gif": partial(_gif, colors=colors)}
 
 
 _ENCODERS: dict[str, Callable[[Film], str | bytes]] = {

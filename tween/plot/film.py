@@ -15,33 +15,21 @@ of the morph.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import asin, isfinite, sin
-from typing import Any
 
 import numpy as np
-from matplotlib.colors import is_color_like, to_rgb, to_rgba
 from numpy.typing import NDArray
 
-from tween.choices import SIZES, STYLES, Style
-from tween.colors import EDGE, INK, SOURCE, TARGET
+from tween.choices import Style
+from tween.colors import EDGE
+from tween.easing import AnyEase, as_ease
 from tween.errors import TweenError
 from tween.measuring.playback import playback
 from tween.morphing.morph import Morph
-from tween.plot.shapes import identity_colors
-
-Color = tuple[int, int, int]
-
-OPACITY = 0.45
-"""Of one layer of a disk."""
+from tween.morphing.sequence import Sequence
+from tween.plot.look import Color, check_options, color, look
 
 _TOLERANCE = 2e-3  # of a shape's width, between the shapes of a playback: a pixel of 480
 _MARGIN = 0.04  # of the longer side, on every side
-"""Pixels of a side, least and most."""
-
-_SLOWEST, _FASTEST = 0.1, 100  # frames a second
-_LONGEST = 30  # seconds of rest; some formats cannot hold a minute
-_LIGHT_INK = "0.9"  # on dark backgrounds
-_BRIGHTNESS = (0.2126, 0.7152, 0.0722)  # of red, green and blue
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +62,14 @@ class Film:
         Colour of each shape as a whole: the source's, the target's, and between.
     background, ink, edge : (int, int, int)
         Colours of the canvas, of outlines and of diagonals.
+    opacity : float
+        Of one layer of the disk.
+    line : float
+        Width of the outline in pixels; 0 for none.
+    transparent : bool
+        Whether the canvas shows what lies behind it; its colour then counts for nothing.
+    pictures : int or None
+        How many of the shapes in order of appearance are shown; None for all.
     """
 
     clock: NDArray[np.float64]
@@ -94,17 +90,16 @@ class Film:
     background: Color
     ink: Color
     edge: Color
-
-    @property
-    def line(self) -> float:
-        """Width of an outline in pixels."""
-        return max(1.0, max(self.width, self.height) / 250)
+    opacity: float
+    line: float
+    transparent: bool
+    pictures: int | None
 
     @property
     def numbers(self) -> NDArray[np.int64]:
         """The shapes in order of appearance, shape (j,)."""
         there = np.arange(len(self.times))
-        return np.concatenate([there, there[-2::-1]]) if self.there_and_back else there
+        return np.concatenate([there, there[-2::-1]])[: self.pictures] if self.there_and_back else there
 
     @property
     def seconds(self) -> NDArray[np.float64]:
@@ -120,11 +115,15 @@ def record(
     fps: float = 25,
     size: int | tuple[int, int] = 480,
     style: Style = "triangles",
-    ease: bool = True,
+    ease: AnyEase = True,
     hold: float = 0.4,
     there_and_back: bool = True,
     background: str = "white",
     verified: bool = False,
+    fill: str | None = None,
+    stroke: str | None = None,
+    width: float | None = None,
+    pictures: int | None = None,
 ) -> Film:
     """Lay out a morph on a canvas, all shapes at one scale.
 
@@ -139,16 +138,24 @@ def record(
         Pixels: of the longer side, the other being as long as the shapes need; or width and height.
     style : {"triangles", "outline", "fill"}
         Triangles coloured by identity, the curve alone, or the disk, the darker the more layers it has.
-    ease : bool
-        Whether the motion starts and ends slowly; otherwise the shapes are evenly spaced in time.
+    ease : str, four float or bool
+        How the motion spends its time, see `tween.easing.as_ease`; true for a slow start and a slow end.
     hold : float
         Seconds for which the source and the target rest, up to 30, besides their turn among the frames.
     there_and_back : bool
         Whether the frames run back to the source.
     background : colour
+        Or "transparent".
     verified : bool
         Whether the shapes are those of a playback, straight motion between which is verified, rather than evenly
         spaced; they take the same time.  Where there is none they are evenly spaced, and `Film.trouble` says why.
+    fill, stroke : colour, optional
+        Of the disk and of its outline; "none" for no outline.  A colour of the disk may have an alpha; where layers
+        overlap, it counts again.
+    width : float, optional
+        Of the outline, in pixels.
+    pictures : int, optional
+        How many of the shapes in order of appearance are shown.
 
     Returns
     -------
@@ -167,7 +174,8 @@ def record(
     >>> len(shown.times), len(shown.numbers), max(shown.width, shown.height)
     (10, 19, 200)
     """
-    _check_options(m, frames, fps, size, style, hold, background)
+    check_options(m, frames, fps, size, style, hold, background)
+    chosen = look(m.source, style, background, fill, stroke, width)
     clock = np.linspace(0.0, 1.0, frames)
     stage = _Stage(m, ease, size, clock)
     trouble, lists = "", None
@@ -179,8 +187,7 @@ def record(
             trouble = str(error)
     times = stage.eased(clock)
     flips = np.searchsorted([event.time for event in m.events], times, side="right")
-    dark = float(np.dot(to_rgb(background), _BRIGHTNESS)) < 0.4
-    tints = (1 - times[:, None]) * _bytes(SOURCE) + times[:, None] * _bytes(TARGET)
+    share = 1 - np.abs(2 * times - 1) if isinstance(m, Sequence) and m.loop else times
     return Film(
         clock=clock,
         times=times,
@@ -195,76 +202,37 @@ def record(
         width=stage.width,
         height=stage.height,
         style=style,
-        colors=np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.int64),
-        tints=np.rint(tints).astype(np.int64),
-        background=_color(background),
-        ink=_color(_LIGHT_INK if dark else INK),
-        edge=_color(EDGE),
+        colors=chosen.colors,
+        tints=chosen.tints(share),
+        background=chosen.background,
+        ink=chosen.ink,
+        edge=color(EDGE),
+        opacity=chosen.opacity,
+        line=max(1.0, max(stage.width, stage.height) / 250) if chosen.line is None else chosen.line,
+        transparent=chosen.transparent,
+        pictures=pictures,
     )
 
 
 class _Stage:
     """A morph by the clock, in pixels with y upwards: below the upper left corner of the canvas y is negative."""
 
-    def __init__(self, m: Morph, ease: bool, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
-        self._m, self._ease = m, ease
+    def __init__(self, m: Morph, ease: AnyEase, size: int | tuple[int, int], clock: NDArray[np.float64]) -> None:
+        self._m, self._ease = m, as_ease(ease)
         self._placed, self.width, self.height = _on_canvas(m.at(self.eased(clock)), size)
         self.events = [event._replace(time=self._uneased(event.time)) for event in m.events]
 
     def eased(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
-        return s * s * (3 - 2 * s) if self._ease else s
+        return self._ease.at(s)
 
     def _uneased(self, t: float) -> float:
-        return 0.5 - sin(asin(1 - 2 * t) / 3) if self._ease else t
+        return float(self._ease.when(np.array([t]))[0])
 
     def at(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
         return self._placed(self._m.at(self.eased(s)))
 
     def triangles_at(self, s: float) -> NDArray[np.int64]:
         return self._m.triangles_at(float(self.eased(np.array([s]))[0]))
-
-
-def _check_options(m: Any, frames: Any, fps: Any, size: Any, style: Any, hold: Any, background: Any) -> None:
-    """Name the option that is none, and what was expected."""
-    low, high = SIZES
-    sides = size if isinstance(size, tuple | list) and len(size) == 2 else (size,)
-    for name, value, right, expected in (
-        ("m", type(m), isinstance(m, Morph), "a Morph, as tween.morph makes"),
-        ("frames", frames, _whole(frames) and frames >= 2, "a whole number, at least 2: the source and the target"),
-        ("fps", fps, _number(fps) and _SLOWEST <= fps <= _FASTEST, f"a number from {_SLOWEST} to {_FASTEST}"),
-        (
-            "size",
-            size,
-            all(_whole(side) and low <= side <= high for side in sides),
-            f"a whole number of pixels from {low} to {high}, or two of them",
-        ),
-        ("style", style, style in STYLES, f"one of {', '.join(STYLES)}"),
-        ("hold", hold, _number(hold) and 0 <= hold <= _LONGEST, f"a number of seconds from 0 to {_LONGEST}"),
-        ("background", background, _opaque(background), "a colour such as 'white' or '#fff7e0'"),
-    ):
-        if not right:
-            raise ValueError(f"{name} is {value!r}, expected {expected}")
-
-
-def _whole(value: Any) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
-
-
-def _number(value: Any) -> bool:
-    return (_whole(value) or isinstance(value, float | np.floating)) and isfinite(value)
-
-
-def _opaque(value: Any) -> bool:
-    return is_color_like(value) and to_rgba(value)[3] == 1
-
-
-def _bytes(color: str) -> NDArray[np.float64]:
-    return 255 * np.array(to_rgb(color))
-
-
-def _color(color: str) -> Color:
-    red, green, blue = np.rint(_bytes(color)).astype(int).tolist()
-    return red, green, blue
 
 
 def _on_canvas(

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from tween.io.writers import changed_triangles
 from tween.measuring.certificate import verify
-from tween.plot.film import OPACITY, Film
+from tween.plot.film import Film
 
 _UNITS = 5000
 _FINEST = 10**9  # times as fine: whole numbers that doubles still tell apart
@@ -102,7 +102,7 @@ def player(film: Film) -> str:
     }
     return Template(_PLAYER.read_text(encoding="utf-8")).substitute(
         title=_title(film),
-        background=_hex(film.background),
+        background="transparent" if film.transparent else _hex(film.background),
         ink=_hex(film.ink),
         accent=_hex(film.edge),
         width=film.width,
@@ -120,7 +120,7 @@ def _drawing(
     By so much the units of the triangles, and those of the outline, are finer.
     """
     unit = _UNITS / max(film.width, film.height)
-    width, first = round(film.line * unit), _hex(film.tints[0])
+    width, first = round((film.line or 1.0) * unit), _hex(film.tints[0])
     scales = [f' transform="scale({1 / times:g})"' if times > 1 else "" for times in finer]
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{film.width}" height="{film.height}"'
@@ -129,20 +129,21 @@ def _drawing(
     lines = [head, f"<title>{_title(film)}</title>"]
     if data:
         lines.append(f"<metadata>{data}</metadata>")
-    lines.append(f'<rect width="100%" height="100%" fill="{_hex(film.background)}"/>')
+    if not film.transparent:
+        lines.append(f'<rect width="100%" height="100%" fill="{_hex(film.background)}"/>')
     if film.style == "triangles":
         edges = f'stroke="{_hex(film.edge)}" stroke-opacity="0.5" stroke-width="{round(0.45 * width) * finer[0]}"'
         fills = [f'<path fill="{_hex(color)}" ' for color in film.colors]
-        lines.append(f'<g class="triangles"{scales[0]} fill-opacity="{OPACITY}" {edges}>')
+        lines.append(f'<g class="triangles"{scales[0]} fill-opacity="{film.opacity:g}" {edges}>')
         lines += [fill + path for fill, path in zip(fills, triangles, strict=True)]
         lines.append("</g>")
     elif film.style == "fill":  # without smoothed edges, so that neighbours leave no seam
-        fill = f'fill="{first}" fill-opacity="{OPACITY}" shape-rendering="crispEdges"'
+        fill = f'fill="{first}" fill-opacity="{film.opacity:g}" shape-rendering="crispEdges"'
         lines.append(f'<g class="triangles"{scales[0]} {fill}>{tint}')
         lines += ["<path " + path for path in triangles]
         lines.append("</g>")
     color, tint = (first, tint) if film.style == "outline" else (_hex(film.ink), "")
-    stroke = f'stroke="{color}" stroke-width="{width * finer[1]}"'
+    stroke = f'stroke="{color if film.line else "none"}" stroke-width="{width * finer[1]}"'
     lines.append(f'<g class="outline"{scales[1]} fill="none" {stroke}>{tint}<path {outline}</g>')
     return "\n".join([*lines, "</svg>\n"])
 

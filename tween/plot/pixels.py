@@ -13,7 +13,8 @@ from numba import njit
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from tween.plot.film import OPACITY, Film
+from tween.plot.film import Film
+from tween.plot.look import Color
 
 _FINE, _FINEST = 2, 4  # samples of a pixel's side, of areas and of lines
 _MOST_LAYERS = 16  # told apart
@@ -32,7 +33,7 @@ def picture(film: Film, k: int) -> Image.Image:
     Returns
     -------
     Image
-        In the mode "RGB".
+        In the mode "RGB"; of a transparent film "RGBA".
 
     Examples
     --------
@@ -42,23 +43,37 @@ def picture(film: Film, k: int) -> Image.Image:
     >>> picture(record(morph(T, T.on_disk()), size=(80, 60)), 0).size
     (80, 60)
     """
+    if not film.transparent:
+        return _drawn(film, k, film.background)
+    on_black, on_white = (np.asarray(_drawn(film, k, (v, v, v)), dtype=np.float64) for v in (0, 255))
+    # What is seen on both is c a, and c a + 255 (1 - a).
+    alpha = 1 - (on_white - on_black).mean(axis=2) / 255
+    color = np.where(alpha[..., None] > 0, on_black / np.maximum(alpha, 1e-9)[..., None], 0.0)
+    return Image.fromarray(np.rint(np.clip(np.dstack([color, 255 * alpha]), 0, 255)).astype(np.uint8))
+
+
+def _drawn(film: Film, k: int, background: Color) -> Image.Image:
     points, triangles = film.shapes[k], film.triangles[k]
-    image = Image.new("RGB", (film.width, film.height), film.background)
+    image = Image.new("RGB", (film.width, film.height), background)
+    bare = np.power(1 - film.opacity, np.arange(_MOST_LAYERS, dtype=np.float64))
     if film.style == "triangles":
-        image = _layered(image, points[triangles], film.colors)
-        edges = _lines(film, [points[edge] for edge in _diagonals(triangles)], _EDGE_WIDTH * film.line)
+        image = _layered(image, points[triangles], film.colors, bare)
+        edges = _lines(film, [points[edge] for edge in _diagonals(triangles)], _EDGE_WIDTH * (film.line or 1.0))
         image.paste(film.edge, mask=edges.point([round(_EDGE_OPACITY * share) for share in range(256)]))
     elif film.style == "fill":
-        image = _layered(image, points[None], film.tints[k : k + 1])
-    outline = film.ink if film.style != "outline" else tuple(film.tints[k].tolist())
-    image.paste(outline, mask=_lines(film, [np.concatenate([points, points[:2]])], film.line))
+        image = _layered(image, points[None], film.tints[k : k + 1], bare)
+    if film.line:
+        outline = film.ink if film.style != "outline" else tuple(film.tints[k].tolist())
+        image.paste(outline, mask=_lines(film, [np.concatenate([points, points[:2]])], film.line))
     return image
 
 
-def _layered(image: Image.Image, polygons: NDArray[np.float64], colors: NDArray[np.int64]) -> Image.Image:
+def _layered(
+    image: Image.Image, polygons: NDArray[np.float64], colors: NDArray[np.int64], bare: NDArray[np.float64]
+) -> Image.Image:
     """The picture with transparent polygons, shape (p, q, 2), laid on it."""
     canvas = np.array(image, dtype=np.float64)
-    _lay(canvas, polygons, colors, (1 - OPACITY) ** np.arange(_MOST_LAYERS))
+    _lay(canvas, polygons, colors, bare)
     return Image.fromarray(np.rint(canvas).astype(np.uint8))
 
 

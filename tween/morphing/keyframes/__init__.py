@@ -1,0 +1,1 @@
+"""Morphs through several shapes: one numbering of vertices for all of them."""
