@@ -31,7 +31,7 @@ export PYTHONHASHSEED := 0
 export PYTHONNOUSERSITE := 1
 unexport PYTHONPATH
 
-.PHONY: help check-python setup reproduce matching report article notebooks test lint coverage bench docs lock clean
+.PHONY: help check-python setup reproduce matching grid report article notebooks test lint coverage bench docs lock clean
 
 help: ## List the commands (this)
 	@grep -hE '^[a-z][a-z-]*:.*## ' $(firstword $(MAKEFILE_LIST)) | while IFS= read -r line; do \
@@ -68,6 +68,10 @@ reproduce: $(STAMP) ## Recompute the studies, the figures, the notebooks and the
 matching: $(STAMP) ## Recompute the study of matching on all pairs (long; an interrupted one goes on)
 	@echo "matching: all pairs, every method; reproduce recomputes a sample of them"
 	@$(BIN)/python -m experiments.studies.matching
+
+grid: $(STAMP) ## Recompute the grid of Table 1 (long; an interrupted one goes on)
+	@echo "grid: every curve and pair, every setting; reproduce recomputes a sample of them"
+	@$(BIN)/python -m experiments.studies.grid
 
 report: $(STAMP) ## Write results/report.html anew from what results/ holds
 	@$(BIN)/python -m experiments.report

@@ -23,7 +23,7 @@ from tween.errors import IncompatibleError, TriangulationError
 from tween.geometry.dual_tree import rooted
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import renumbered
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.morph import Morph
 

@@ -31,7 +31,7 @@ STUDIES = (
         "studies.to_disk",
         "Table 1: every curve to its disk",
         results=("table_1_to_disk.csv", "table_1_to_disk.json", "table_1_paper.csv"),
-        figures=("table_1_slide", "table_1_linear"),
+        figures=("table_1_slide", "table_1_linear", "table_1_slide_all", "table_1_linear_all"),
         seconds=60,
     ),
     Step(
@@ -57,6 +57,14 @@ STUDIES = (
         "Table 1: in the paper's layout",
         results=("table_1.csv", "table_1.md", "table_1.tex"),
         seconds=5,
+    ),
+    Step("studies.grid_sample", "Table 1: a sample of the grid again", seconds=30),
+    Step(
+        "studies.grid_law",
+        "Table 1: what predicts the factor",
+        results=("grid_law.csv", "grid_columns.csv", "grid_cells.csv"),
+        figures=("table_1_factor", "table_1_law", "table_1_columns"),
+        seconds=20,
     ),
     Step("studies.pairs", "Every pair of curves", results=("pairs.csv",), seconds=30),
     Step("studies.pivots", "Pivots matched or not", results=("pivots.csv",), seconds=30),
@@ -109,6 +117,13 @@ MATCHING = Step(
     figures=("matching_study", "matching_pairs"),
     seconds=600,
 )
+# The same holds for the grid of Table 1 and `make grid`.
+GRID = Step(
+    "studies.grid",
+    "Table 1: the grid",
+    results=("grid_disk.csv", "grid_pairs.csv", "grid_shapes.csv"),
+    seconds=400,
+)
 # What is made of the studies' results.
 STEPS = (
     *STUDIES,
@@ -121,7 +136,7 @@ STEPS = (
 )
 # Times that it measures are no results that could be found again, so `reproduce` leaves it out.
 SCALING = Step("benchmarks.scaling", "How the time grows", results=("scaling.csv",), figures=("scaling",), seconds=60)
-EVERY = (*STEPS, MATCHING, SCALING)
+EVERY = (*STEPS, MATCHING, GRID, SCALING)
 
 
 def writer(file: str) -> Step:

@@ -1,6 +1,6 @@
 """What the studies measure: Table 1's rank and variance with its parameters, swelling, places among others, slides."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -33,6 +33,23 @@ def measures(A: NDArray[np.float64], tolerances: Iterable[float] = PARAMETERS["t
     """AR at every tolerance, then Var, of an area matrix."""
     singular = np.linalg.svd(A, compute_uv=False)
     return [*(rank_of(singular, rtol) for rtol in tolerances), frame_variance(A)]
+
+
+def certain_ranks(A: NDArray[np.float64], tolerances: Sequence[float]) -> tuple[list[int], list[int]]:
+    """The least and the largest rank that an area matrix may have once its areas are perturbed, tolerance by tolerance.
+
+    After the tolerances come the two defaults of MATLAB's `rank`, max(m, k) eps(norm(A)) in double and in single
+    precision.  Areas are perturbed by 1e-12 of their size, at random; at MATLAB's double default, which lies below
+    that, by 1e-14, some fifty roundings.  A singular value moves by no more than the norm of what was added, and that
+    norm is about the largest row's norm plus the largest column's, times the perturbation.
+    """
+    singular = np.linalg.svd(A, compute_uv=False)
+    most = float(singular[0])
+    matlab = [max(A.shape) * float(np.spacing(most)), max(A.shape) * float(np.spacing(np.float32(most)))]
+    at = np.array([*(rtol * most for rtol in tolerances), *matlab])
+    size = np.linalg.norm(A, axis=1).max() + np.linalg.norm(A, axis=0).max()
+    moved = size * np.array([*[1e-12] * len(tolerances), 1e-14, 1e-12])
+    return tuple((singular[:, None] > limit).sum(axis=0).tolist() for limit in (at + moved, at - moved))
 
 
 def swelling(A: NDArray[np.float64]) -> float:
@@ -91,3 +108,17 @@ def slid(T: Triangulation, disk: NDArray[np.float64]) -> NDArray[np.bool_]:
     a, b, c = np.moveaxis((np.stack([T.points, disk]) @ np.array([1, 1j]))[:, corners], 2, 0)
     z = (c - a) / (b - a)
     return slides(z[0], z[1], propagates)
+
+
+def shortening(T: Triangulation, disk: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By which share of its shorter end each triangle's straight path would shorten a propagation edge; (n-2,).
+
+    The larger of the two edges' shares; 0 where the path is straight anyway.
+    """
+    corners, propagates = hung(T, disk)
+    a, b, c = np.moveaxis((np.stack([T.points, disk]) @ np.array([1, 1j]))[:, corners], 2, 0)
+    ends = ((c - a) / (b - a))[..., None] - np.array([0.0, 1.0])
+    step = ends[1] - ends[0]
+    foot = np.clip((-ends[0] * step.conj()).real / np.maximum(np.abs(step) ** 2, np.finfo(float).tiny), 0.0, 1.0)
+    share = 1.0 - np.abs(ends[0] + foot * step) / np.abs(ends).min(axis=0)
+    return np.asarray(np.where(propagates, share, 0.0).max(axis=1))

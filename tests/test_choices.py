@@ -17,12 +17,14 @@ OPTIONS = {
     "root": choices.ROOT_RULES,
     "strategy": choices.STRATEGIES,
     "placement": choices.PLACEMENTS,
+    "pace": choices.PACES,
 }
 OF_THE_PAPER = {
     "path": choices.PATHS,
     "root": choices.ROOT_RULES,
     "order": choices.ORDERS,
     "shifts": choices.SHIFT_RULES,
+    "pace": choices.PACES,
 }
 CALLS = [(tween.morph, o, words) for o, words in OPTIONS.items()]
 CALLS += [(tween.paper_morph, o, words) for o, words in OF_THE_PAPER.items()]

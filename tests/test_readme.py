@@ -6,6 +6,8 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from tween.app.command_line.main import main
+
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 LINKS = sorted(set(re.findall(r"\]\(([^)#:]+)\)", README)))
@@ -26,6 +28,15 @@ def test_every_link_leads_to_a_file(link: str) -> None:
 def test_the_code_runs(block: str, capsys: pytest.CaptureFixture[str]) -> None:
     exec(compile(block, "README.md", "exec"), {})
     assert capsys.readouterr().out
+
+
+def test_the_command_lines_make_the_files_that_they_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lines = [line.partition("#")[0].split() for line in README.splitlines() if line.startswith("tween ")]
+    assert len(lines) == 3
+    for words in lines:
+        assert main(words[1:]) == 0
+        assert Path(words[-1]).stat().st_size > 0
 
 
 @pytest.mark.parametrize("command", sorted(set(re.findall(r"\bmake ([a-z]+)", README))))
@@ -85,11 +96,17 @@ def test_the_frames_of_the_guarantee_are_those_of_the_study() -> None:
     assert told in words()
 
 
-def test_the_ranks_below_the_median_are_counted() -> None:
-    slide = result("table_1_to_disk").query("path == 'slide'")
-    table = slide.pivot(index="curve", columns="triangulation", values="AR_1e-4")
-    below = int((table["remeshed"] < table["uniform_median"]).sum())
-    assert f"on {below} of {len(table)} curves at a loose tolerance (1e-4)" in words()
+def test_what_remeshing_gains_is_told_as_the_grid_has_it() -> None:
+    rows = pd.read_csv(ROOT / "results" / "grid_disk.csv")
+    rows = rows.query("n == 96 and frames == 100 and path == 'slide' and pace == 'time'")
+    shapes = pd.read_csv(ROOT / "results" / "grid_shapes.csv").query("n == 96").set_index("curve")
+    rank, variance = (rows.pivot(index="curve", columns="triangulation", values=m) for m in ("AR_1e-9", "Var"))
+    factor = rank["uniform"] / rank["remeshed"]
+    fewer = factor[shapes["slides_remeshed"] < shapes["slides_uniform"]]
+    assert (fewer > 1).all()
+    assert f"on all {len(fewer)} of {len(factor)} curves, up to {fewer.max():.1f} times" in words()
+    larger = (variance["remeshed"] > variance["uniform"]).sum()
+    assert f"Var is larger remeshed, on {larger} of {len(variance)} curves" in words()
 
 
 def test_the_pairs_without_flips_are_counted() -> None:

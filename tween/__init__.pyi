@@ -31,9 +31,9 @@ from .morphing.strategy import paper_morph as paper_morph
 from .plot.animation import save_animation as save_animation
 from .triangulating import costs as costs
 from .triangulating import flips as flips
-from .triangulating.cleaning import clean as clean
 from .triangulating.compatibility import compatible_shift as compatible_shift
 from .triangulating.decomposition import Decomposition as Decomposition
 from .triangulating.decomposition import decompose as decompose
 from .triangulating.decomposition import triangulate as triangulate
 from .triangulating.flips import remesh as remesh
+from .triangulating.repair.cleaning import clean as clean

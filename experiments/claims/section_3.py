@@ -32,7 +32,7 @@ from tween.triangulating.flips import flip, flippable
     "every",
     "a morph along one of the paper's two paths; each of its 61 frames bounds an immersed disk, decided exactly",
     (
-        "tests/morphing/compatible/test_angle_budgets.py::test_the_paths_of_the_paper_break_the_fan",
+        "tests/morphing/compatible/guarantee/test_angle_budgets.py::test_the_paths_of_the_paper_break_the_fan",
         "experiments/studies/guarantee.py",
         "experiments/studies/matching.py",
     ),

@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 
 from experiments.claims.ledger import Finding, Numbers, claim
-from experiments.claims.rules import Cases, every, more, more_pairs, some
+from experiments.claims.rules import every, more, more_pairs, some
 from experiments.claims.shared import PARAMETERS
-from experiments.measures import MEASURES, RANKS
+from experiments.claims.table_1 import against_median
 from experiments.studies.flip_order import PARAMETERS as FLIP_ORDER
 from experiments.subjects import BETWEEN, both
 from tween import Triangulation, area_matrix, area_rank
@@ -15,113 +15,6 @@ from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
 from tween.morphing.incompatible.flow import Flow
 from tween.morphing.strategy import morph_compatible
-
-BETTER = (
-    '"Results show that our triangulation quantitatively produces a much better morph when compared to the those '
-    'produced by an arbitrary triangulation (Table 1)."'
-)
-
-
-def against_median(x: Numbers) -> pd.DataFrame:
-    """Signs of remeshed less the median of the random ones, to the disk, path slide: a row a curve."""
-    slide = x.table("table_1_to_disk").query("path == 'slide'").set_index("curve")
-    ours, random = (slide[slide.triangulation == t][MEASURES] for t in ("remeshed", "uniform_median"))
-    return np.sign(ours - random)
-
-
-def below(signs: pd.DataFrame, measure: str) -> Cases:
-    """Curves on which remeshed is below, and above, the median of the random ones."""
-    return more((signs[measure] < 0).sum(), (signs[measure] > 0).sum(), measure.replace("_", " "))
-
-
-@claim(
-    "7 (2, Table 1)",
-    f"{BETTER} AR, to the disk",
-    "more",
-    "a curve to its disk along slide; remeshed, AR is below the median of 1,000 random triangulations, at 1e-4, 1e-6, "
-    "1e-9",
-    ("experiments/studies/to_disk.py",),
-    figure="table_1_slide.png",
-    condition="a tolerance of 1e-4; at 1e-6 and 1e-9 it is the other way round",
-)
-def smaller_rank_to_the_disk(x: Numbers) -> Finding:
-    signs = against_median(x)
-    less, larger = (signs < 0).sum(), (signs > 0).sum()
-    told = ", ".join(f"{less[m]} and {larger[m]} at {m.removeprefix('AR_')}" for m in RANKS)
-    parts = tuple(below(signs, m) for m in RANKS)
-    return Finding(f"below and above the median random one on {told}, of {len(signs)} curves", parts, parts[:1])
-
-
-@claim(
-    "7 (2, Table 1)",
-    f"{BETTER} Var, to the disk",
-    "more",
-    "a curve to its disk along slide; remeshed, Var is below the median of 1,000 random triangulations",
-    ("experiments/studies/to_disk.py",),
-    figure="table_1_slide.png",
-)
-def smaller_variance_to_the_disk(x: Numbers) -> Finding:
-    signs = against_median(x)
-    return Finding(
-        f"below the median random one on {(signs['Var'] < 0).sum()} of {len(signs)} curves", (below(signs, "Var"),)
-    )
-
-
-def paper_columns(x: Numbers) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """The four columns of Table 1: measures by triangulation, and what the paper prints."""
-    table = x.table("table_1_curve_to_curve")
-    ours = table.pivot(index="row", columns="triangulation", values=["AR_1e-4", "Var", "flips"])
-    return ours, table.groupby("row").first()
-
-
-@claim(
-    "7 (2, Table 1)",
-    f"{BETTER} AR, from curve to curve",
-    "every",
-    "a stand-in for one of the paper's four columns; remeshed, AR at 1e-4 is below the median of arbitrary "
-    "triangulations, flipped into each other or, where there are any, common to both curves",
-    ("experiments/studies/curve_to_curve.py",),
-    figure="figure_11_pairs.png",
-    condition="arbitrary triangulations that have to be flipped into each other",
-)
-def smaller_rank_between_curves(x: Numbers) -> Finding:
-    values, printed = paper_columns(x)
-    AR, paper = values["AR_1e-4"], printed.paper_AR_arbitrary / printed.paper_AR_remeshed
-    own, common = AR.own_median / AR.remeshed, (AR.common_median / AR.remeshed).dropna()
-    flipped = every((own > 1).sum(), len(own), "flipped")
-    return Finding(
-        f"arbitrary to remeshed on stand-ins for the four rows: {phrase(own)} (paper: {phrase(paper)}); against common "
-        f"triangulations, where there are any: {phrase(common)}",
-        (flipped, every((common > 1).sum(), len(common), "common")),
-        (flipped,),
-    )
-
-
-@claim(
-    "7 (2, Table 1)",
-    f"{BETTER} Var, from curve to curve",
-    "every",
-    "a stand-in for one of the paper's four columns; remeshed, Var is below the median of arbitrary triangulations",
-    ("experiments/studies/curve_to_curve.py",),
-    figure="figure_11_pairs.png",
-    condition="remeshed triangulations that are compatible where arbitrary ones have to be flipped",
-)
-def smaller_variance_between_curves(x: Numbers) -> Finding:
-    values, printed = paper_columns(x)
-    paper = printed.paper_Var_arbitrary / printed.paper_Var_remeshed
-    ratios = values["Var"].own_median / values["Var"].remeshed
-    free = values["flips"].remeshed == 0
-    return Finding(
-        f"arbitrary to remeshed: {phrase(ratios[free])} where the remeshed ones are compatible, "
-        f"{phrase(ratios[~free])} where not (paper: {phrase(paper)})",
-        (every((ratios > 1).sum(), len(ratios)),),
-        (every((ratios[free] > 1).sum(), free.sum()),),
-    )
-
-
-def phrase(ratios: pd.Series) -> str:
-    """Numbers in a list, three digits each."""
-    return ", ".join(f"{r:.3g}" if r < 1000 else f"{r:.0e}" for r in ratios)
 
 
 @claim(
@@ -132,7 +25,7 @@ def phrase(ratios: pd.Series) -> str:
     "a curve to its disk; AR says the same of remeshed and random triangulations at 1e-4 and at 1e-9; the condition: "
     "where all areas change linearly, it is 2",
     (
-        "tests/morphing/compatible/test_angle_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
+        "tests/morphing/compatible/guarantee/test_angle_budgets.py::test_without_budgets_the_path_of_areas_reaches_the_floor_of_both_measures",
         "experiments/studies/to_disk.py",
         "experiments/claims/section_7.py",
     ),

@@ -6,7 +6,7 @@ from joblib import Parallel, delayed
 
 from experiments.figures.paper import compatible, gallery, immersions, incompatible
 from experiments.figures.registry import DRAWINGS, drawn, save
-from experiments.figures.studies import guarantee, matching, quality, roots, scaling, table_1
+from experiments.figures.studies import grid, guarantee, matching, quality, roots, scaling, table_1
 from experiments.store import FIGURES, write_json
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "compatible",
     "drawn",
     "gallery",
+    "grid",
     "guarantee",
     "immersions",
     "incompatible",

@@ -119,6 +119,15 @@ def key_sensitivity(file: Path) -> pd.DataFrame:
     return rows.merge(wide[["AR_1e-3", "AR_1e-4", "AR_1e-6", "AR_1e-9", "Var"]].reset_index())
 
 
+def key_quality(file: Path) -> pd.DataFrame:
+    table = pd.read_csv(file)
+    table = table[~table.scope.str.startswith("pairs: ") & table.measure.isin(["AR_1e-4", "Var"])]
+    rows = zip(table.rho, table.low, table.high, strict=True)
+    table = table.assign(cell=[f"{rho:.2f} ({low:.2f} to {high:.2f})" for rho, low, high in rows])
+    wide = table.pivot(index=["scope", "quality"], columns="measure", values="cell").reset_index()
+    return wide.rename(columns={"scope": "over", "quality": "goes with"})
+
+
 # How the key table of a study is made from the first file that it writes.
 KEYS: dict[str, Callable[[Path], pd.DataFrame]] = {
     "to_disk": key_to_disk,
@@ -128,6 +137,7 @@ KEYS: dict[str, Callable[[Path], pd.DataFrame]] = {
     "flip_distance": as_written,
     "roots": key_roots,
     "guarantee": key_guarantee,
+    "quality": key_quality,
 }
 
 

@@ -6,24 +6,27 @@ results/table_1_curve_to_curve.csv, which `curve_to_curve` writes; writes result
 
 import argparse
 from collections.abc import Iterator, Sequence
+from itertools import product
 from typing import NamedTuple
 
 import pandas as pd
 
 from experiments.measures import PARAMETERS
 from experiments.store import RESULTS, write_csv, write_text
+from experiments.studies.curve_to_curve import DRAWS
 
 HEADLINE, TOLERANCES = "1e-4", ("1e-4", "1e-6", "1e-9")
 CAPTION = (
-    "Quality of the morph between two curves: remeshed (X) and arbitrary (Y) triangulations, the paper's and ours."
+    "Quality of the morph between two curves: remeshed (X) and arbitrary (Y) triangulations, the paper's and ours, "
+    "along both of the paper's paths."
 )
 NOTE = (
-    f"Y flipped: the median, and below it the range, of {PARAMETERS['samples']} uniformly drawn triangulations of "
+    f"Y flipped: the median, and below it the range, of {DRAWS} uniformly drawn triangulations of "
     "each curve, flipped into each other on the way. Y common: the median of as many drawn uniformly from those that "
-    "are valid in both curves, where there are any; they need no flips. Path slide, "
-    f"{PARAMETERS['frames']} frames, areas as shares of the source's. The paper's curves, number of frames, rank "
-    "tolerance and unit of area are unpublished, and it shows one arbitrary triangulation a curve: our curves are "
-    "stand-ins, and only the ratios Y/X can be compared."
+    "are valid in both curves, where there are any; they need no flips. Every morph is on one clock, vertices at "
+    f"constant root mean square speed; {PARAMETERS['frames']} frames, areas as shares of the source's. The paper's "
+    "curves, number of frames, rank tolerance, path, clock and unit of area are unpublished, and it shows one "
+    "arbitrary triangulation a curve: our curves are stand-ins, and only the ratios Y/X can be compared."
 )
 LATEX = {"_": r"\_", "%": r"\%", "&": r"\&", "#": r"\#", "$": r"\$"}
 
@@ -38,19 +41,23 @@ class Line(NamedTuple):
 
 def lines(columns: pd.DataFrame) -> Iterator[Line]:
     """The rows of the table: measures first, then the ratios Y/X."""
-    blocks = [block.set_index("triangulation") for _, block in columns.groupby("row")]
+    of = {
+        path: [b.set_index("triangulation") for _, b in some.groupby("row")] for path, some in columns.groupby("path")
+    }
+    blocks = of["linear"]
     yield Line("curves", "ours", [block.pair.iloc[0] for block in blocks])
     yield Line("flips", "ours, Y flipped", [x_and_y(block, "flips", "own") for block in blocks])
     for measure, key in (("AR", f"AR_{HEADLINE}"), ("Var", "Var")):
         yield Line(measure, "paper", [paper(block, measure) for block in blocks])
-        yield Line(label(key), "ours, Y flipped", [x_and_y(block, key, "own") for block in blocks])
-        yield Line(label(key), "range of Y", [spread(block, key, "own") for block in blocks])
-        yield Line(label(key), "ours, Y common", [x_and_y(block, key, "common") for block in blocks])
+        for path, some in of.items():
+            yield Line(label(key), f"{path}, Y flipped", [x_and_y(block, key, "own") for block in some])
+            yield Line(label(key), f"{path}, range of Y", [spread(block, key, "own") for block in some])
+            yield Line(label(key), f"{path}, Y common", [x_and_y(block, key, "common") for block in some])
     for measure, keys in (("AR", [f"AR_{t}" for t in TOLERANCES]), ("Var", ["Var"])):
         yield Line(f"{measure}, Y/X", "paper", [ratio(*map(float, paper(block, measure))) for block in blocks])
-        for key in keys:
-            yield Line(f"{label(key)}, Y/X", "ours, Y flipped", [over_remeshed(b[key], "own") for b in blocks])
-            yield Line(f"{label(key)}, Y/X", "ours, Y common", [over_remeshed(b[key], "common") for b in blocks])
+        for (path, some), key in product(of.items(), keys):
+            yield Line(f"{label(key)}, Y/X", f"{path}, Y flipped", [over_remeshed(b[key], "own") for b in some])
+            yield Line(f"{label(key)}, Y/X", f"{path}, Y common", [over_remeshed(b[key], "common") for b in some])
 
 
 def label(key: str) -> str:

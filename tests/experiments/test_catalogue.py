@@ -9,7 +9,7 @@ import pytest
 from experiments import catalogue
 from experiments.store import FIGURES, RESULTS, ROOT
 
-STUDIES = (*catalogue.STUDIES, catalogue.MATCHING)
+STUDIES = (*catalogue.STUDIES, catalogue.MATCHING, catalogue.GRID)
 KINDS = ("csv", "json", "md", "tex")
 steps = pytest.mark.parametrize("step", catalogue.EVERY, ids=lambda step: step.module)
 

@@ -157,6 +157,30 @@ def test_a_root_that_turns_by_half_a_turn_up_to_rounding_turns_the_same_way_from
     np.testing.assert_allclose(ways[0], ways[1], atol=1e-9)
 
 
+def steps(m: Morph) -> NDArray[np.float64]:
+    """Root mean square of the ways of the vertices from frame to frame, over their mean."""
+    ways = np.sqrt((np.diff(m.frames(200), axis=0) ** 2).sum(axis=2).mean(axis=1))
+    return ways / ways.mean()
+
+
+@every_path
+@every_shape
+def test_at_speed_the_vertices_of_a_morph_without_flips_are_always_equally_fast(T: Triangulation, path) -> None:
+    own, even = (
+        morph_compatible(T, T.on_disk(), path, guarantee=False, placement="root", pace=pace)
+        for pace in ("auto", "speed")
+    )
+    assert np.abs(steps(even) - 1).max() < 0.1
+    assert np.array_equal(even(0.0), own(0.0)) and np.array_equal(even(1.0), own(1.0))
+
+
+def test_a_guarantee_holds_at_every_pace() -> None:
+    T = triangulate(curve("horseshoe"))
+    own, even = (morph(T, T.on_disk(), pace=pace) for pace in ("time", "speed"))
+    assert own.proof == even.proof != "" and certify(even).valid
+    assert np.abs(own.frames(9) - even.frames(9)).max() > 0.01
+
+
 @every_path
 @every_root
 @every_shape
@@ -470,6 +494,7 @@ def test_other_triangles_are_refused_where_the_correspondence_is_known() -> None
             "strategy is 'both', expected one of auto, matched,",
         ),
         (ELL, ELL, {"placement": "even"}, ValueError, "placement is 'even', expected one of steady, root"),
+        (ELL, ELL, {"pace": "even"}, ValueError, "pace is 'even', expected one of auto, time, speed"),
         (
             ELL,
             ELL,

@@ -4,5 +4,5 @@ import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(
     __name__,
-    submodules={"curve", "dual_tree", "faces", "loops", "pieces", "predicates", "smoothing", "triangulation"},
+    submodules={"curve", "dual_tree", "faces", "predicates", "triangulation"},
 )

@@ -20,7 +20,7 @@ from tween.morphing.incompatible.pivots import pivot_shift, spine
 from tween.triangulating.costs import distortion
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.flips import remesh
-from tween.triangulating.table import is_small
+from tween.triangulating.table.splits import is_small
 
 
 @dataclass(frozen=True)
@@ -239,7 +239,7 @@ def common(first: Triangulation, second: Triangulation, most: int | None = None)
     first, second : Triangulation
         With equally many vertices.
     most : int, optional
-        Of pairs in the joint table, see `.table`: where more would hold, none is looked for.
+        Of pairs in the joint table, see `.table.splits`: where more would hold, none is looked for.
 
     Returns
     -------

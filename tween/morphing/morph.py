@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from tween.errors import GuaranteeError, MotionError
 from tween.geometry.predicates import EXACT_RANGE
 from tween.morphing.alignment import Alignment
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.triangulating.compatibility import match_rows
 
@@ -228,7 +228,7 @@ class Morph:
         return turned
 
     def guaranteed(self) -> "Morph":
-        """Prove that every array that `at` returns bounds an immersed disk, see `layout_errors`.
+        """Prove that every array that `at` returns bounds an immersed disk, see `.guarantee`.
 
         Returns
         -------

@@ -26,7 +26,7 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.morph import Motion
 
 _STEPS, _FEWEST_STEPS = 512, 32  # by which the rotation is integrated, in each stretch without flips

@@ -23,7 +23,8 @@ from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import Alignment
-from tween.morphing.compatible.layout_errors import Placing
+from tween.morphing.compatible.guarantee.rounding import Placing
+from tween.morphing.incompatible.flip_sequence import count_crossings
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.keyframes.joining import Joined, join
 from tween.morphing.keyframes.keyframe import Keyframe
@@ -38,7 +39,9 @@ _Ints = NDArray[np.int64]
 class Sequence(Morph):
     """A morph through several keyframes; made by `tween.sequence`.
 
-    It answers everything that a `Morph` does; a time from 0 to 1 leads through all keyframes.
+    It answers everything that a `Morph` does; a time from 0 to 1 leads through all keyframes.  At the time of a
+    keyframe the diagonals of the next leg replace those of the last one: as many `events` as diagonals change, though
+    no single one of them need be a flip.
 
     Attributes
     ----------
@@ -61,7 +64,9 @@ class Sequence(Morph):
         self.keyframes = tuple(leg.source for leg in legs) + (() if loop else (legs[-1].target,))
         motion = _Legs(legs, schedule, loop)
         target = self.keyframes[0] if loop else Triangulation(legs[-1].target.points, motion.stages[-1][1])
-        alignment = Alignment(legs[0].source, target, 0, vertices[0], vertices[0 if loop else -1], None, 0)
+        source = legs[0].source
+        crossings = 0 if np.array_equal(source.canonical, target.canonical) else count_crossings(source, target)
+        alignment = Alignment(source, target, 0, vertices[0], vertices[0 if loop else -1], None, crossings)
         super().__init__(motion, alignment, proof=legs[0].proof if all(leg.proof for leg in legs) else "")
 
     def __repr__(self) -> str:
@@ -225,10 +230,10 @@ def _scheduled(count: int, loop: bool, times: Any, ease: Any, hold: Any) -> _Sch
     if reached.shape != (legs + 1,) or not np.isfinite(reached).all() or (np.diff(reached) <= 0).any():
         again = ", the last one for the first keyframe again" if loop else ""
         raise ValueError(f"times are {times!r}, expected {legs + 1} rising numbers{again}")
-    longest = float(np.diff(reached).min())
+    shortest = float(np.diff(reached).min())
     if times is None and isinstance(hold, int | float) and np.isfinite(hold) and hold >= 0:
-        reached, longest = reached * (1.0 + hold), np.inf
-    if isinstance(hold, bool) or not isinstance(hold, int | float) or not 0 <= hold < longest:
+        reached, shortest = reached * (1.0 + hold), np.inf
+    if isinstance(hold, bool) or not isinstance(hold, int | float) or not 0 <= hold < shortest:
         raise ValueError(
             f"hold is {hold!r}, expected a number from 0 to less than the time from a keyframe to the next"
         )

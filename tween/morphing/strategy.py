@@ -14,7 +14,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tween.choices import ORDERS, PATHS, PLACEMENTS, STRATEGIES, Order, Path, Placement, Root, Shifts, Strategy
+from tween.choices import (
+    ORDERS,
+    PACES,
+    PATHS,
+    PLACEMENTS,
+    STRATEGIES,
+    Order,
+    Pace,
+    Path,
+    Placement,
+    Root,
+    Shifts,
+    Strategy,
+)
 from tween.errors import IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
@@ -26,8 +39,9 @@ from tween.morphing.alignment import (
     least_distorted,
     renumbered,
 )
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
+from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
@@ -57,11 +71,12 @@ class _Choices(NamedTuple):
     placement: Placement
     root: Root
     order: Order = "sequential"
+    pace: Pace = "auto"
     exchanged: bool = False
 
     @property
     def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `.angle_budgets`; a flip changes no sum of angles."""
+        """Why every shape bounds an immersed disk, see `.compatible.guarantee`; a flip changes no sum of angles."""
         if self.path == "angle" and not self.guarantee:
             return _BY_ANGLES
         return _BY_BUDGETS if self.guarantee else ""
@@ -76,6 +91,7 @@ def morph(
     placement: Placement = "steady",
     root: Root = "disk-center",
     landmarks: Sequence[tuple[int, int]] | None = None,
+    pace: Pace = "auto",
 ) -> Morph:
     """Morph one immersed disk into another.
 
@@ -87,8 +103,8 @@ def morph(
     path : {"metric", "slide", "linear", "angle", "area"}
         How third vertices move, see `.paths`; slide and linear are the paper's.
     guarantee : bool
-        Whether every shape on the way is to bound an immersed disk, see `.angle_budgets`.  Without it only the path
-        "angle" sees to that, where there are no flips.
+        Whether every shape on the way is to bound an immersed disk, see `.compatible.guarantee`.  Without it only the
+        path "angle" sees to that, where there are no flips.
     strategy : {"auto", "matched", "common", "paper"}
         "matched": the best correspondence and the best common triangulation together, see `match`; in the rare case
         that there is none of all vertices, flips do the rest.  "common": pivots matched, or else any renumbering, and
@@ -103,6 +119,11 @@ def morph(
         of the dual tree, or a triangle of the morph's source by number.
     landmarks : sequence of (int, int), optional
         Vertices of the source and of the target that have to correspond; for "matched".
+    pace : {"auto", "time", "speed"}
+        "time" is the motion's own clock, in which third vertices run along their paths and a flow approaches its disk;
+        through flips half of it is for the way to the end of a flow, and half for that flow.  At "speed" the root mean
+        square of the vertices' speeds is constant, before `placement`, which has the last word.  "auto": time where
+        there are no flips, speed where there are, since after a flip a triangle may open in no time.
 
     Returns
     -------
@@ -133,10 +154,12 @@ def morph(
     ----------
     Mukherjee and Gopi, Sections 5 and 6; Section 8 leaves the matching open.
     """
-    _check_words(path=(path, PATHS), strategy=(strategy, STRATEGIES), placement=(placement, PLACEMENTS))
+    _check_words(
+        path=(path, PATHS), strategy=(strategy, STRATEGIES), placement=(placement, PLACEMENTS), pace=(pace, PACES)
+    )
     if landmarks is not None and strategy not in ("auto", "matched"):
         raise ValueError(f"landmarks are for the strategy 'matched', but strategy is {strategy!r}")
-    choices = _Choices(path, guarantee, placement, root)
+    choices = _Choices(path, guarantee, placement, root, pace=pace)
     if landmarks is None and strategy == "auto" and _are_compatible(source, target):
         strategy = "paper"
     if strategy in ("auto", "matched"):
@@ -157,6 +180,7 @@ def paper_morph(
     *,
     order: Order = "sequential",
     shifts: Shifts = "pivots",
+    pace: Pace = "auto",
 ) -> Morph:
     """Morph one immersed disk into another as the paper does: Sections 5 and 6 as printed.
 
@@ -178,6 +202,8 @@ def paper_morph(
         Which vertices correspond where the triangulations are incompatible: by pivots, as in the paper; of all
         renumberings the one with fewest crossings; or vertex i of the source and vertex (i + shifts) mod n of the
         target, inserted vertices counted.
+    pace : {"auto", "time", "speed"}
+        As for `morph`; the paper does not say.
 
     Returns
     -------
@@ -201,11 +227,11 @@ def paper_morph(
     ----------
     Mukherjee and Gopi, Sections 5 and 6.
     """
-    _check_words(path=(path, PATHS), order=(order, ORDERS))
+    _check_words(path=(path, PATHS), order=(order, ORDERS), pace=(pace, PACES))
     check_shifts(shifts)
     first, second, *origins = equal_counts(source, target)
     alignment = renumbered(first, second, *_flipping_shift(first, second, shifts), *origins)
-    return _between(alignment, _Choices(path, False, "root", root, order))
+    return _between(alignment, _Choices(path, False, "root", root, order, pace))
 
 
 def morph_compatible(
@@ -215,6 +241,7 @@ def morph_compatible(
     guarantee: bool = True,
     placement: Placement = "steady",
     root: Root = "disk-center",
+    pace: Pace = "auto",
 ) -> Morph:
     """Morph between two triangulations with the same triangles, vertex i to vertex i.
 
@@ -222,7 +249,7 @@ def morph_compatible(
     ----------
     source, target : Triangulation
         With the same triangles, in any order.
-    path, guarantee, placement, root
+    path, guarantee, placement, root, pace
         As for `morph`.
 
     Returns
@@ -248,11 +275,12 @@ def morph_compatible(
     ----------
     Mukherjee and Gopi, Section 5.
     """
-    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS))
+    _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS), pace=(pace, PACES))
     if source.triangles is not target.triangles and not np.array_equal(source.canonical, target.canonical):
         raise IncompatibleError("the two triangulations have different triangles; tween.morph takes any two shapes")
     every = np.arange(len(source))
-    return _in_order(Alignment(source, target, 0, every, every, None, 0), _Choices(path, guarantee, placement, root))
+    choices = _Choices(path, guarantee, placement, root, pace=pace)
+    return _in_order(Alignment(source, target, 0, every, every, None, 0), choices)
 
 
 def morph_as_numbered(
@@ -370,16 +398,20 @@ def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts)
 class _Compatible:
     """One leg, no flips, as a `Motion`."""
 
-    def __init__(self, leg: Leg) -> None:
-        self._leg = leg
+    def __init__(self, leg: Leg, pace: Pace) -> None:
+        self._leg, self._clock = leg, Clock([leg.at]) if pace == "speed" else None
         self.stages = [(0.0, leg.source.triangles)]
         self.events: list[Event] = []
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._leg.at(t)
+        return self._leg.at(t if self._clock is None else self._clock.places(t)[1])
 
     def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
-        return self._leg.first_doubt(placing)
+        found = self._leg.first_doubt(placing)
+        if self._clock is None:
+            return found
+        first, last = self._clock.time(0, found[0]), self._clock.time(0, found[1])
+        return found._replace(start=first, stop=last) if isinstance(found, Doubt) else (first, last)
 
 
 def _between(alignment: Alignment, choices: _Choices) -> Morph:
@@ -393,7 +425,7 @@ def _moved(alignment: Alignment, choices: _Choices) -> Morph:
     """Move straight where the triangles are the same, and through flips where they are not."""
     if alignment.crossings > 0:
         return _gradual(alignment, choices)
-    motion = _placed(_Compatible(_straight(alignment, choices)), choices)
+    motion = _placed(_Compatible(_straight(alignment, choices), choices.pace), choices)
     return Morph(motion, alignment, proof=choices.proof)
 
 
@@ -418,7 +450,7 @@ def _gradual(alignment: Alignment, choices: _Choices) -> Morph:
     roots = _flow_roots(shapes, sequences, choices)
     flows = [Flow(shapes[i], sequences[i], path, roots[i], order, guarantee) for i in (0, 1)]
     through = 1 if flows[1].end <= flows[0].end else 0
-    motion = Through(shapes[1 - through], flows[through], path, roots[1 - through], guarantee)
+    motion = Through(shapes[1 - through], flows[through], path, roots[1 - through], guarantee, choices.pace)
     return Morph(
         _placed(motion, choices), alignment, (flows[0].end, flows[1].end), choices.proof, backwards=through == 0
     )

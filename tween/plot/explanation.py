@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from tween.colors import FAILURE, INK, PIVOT, TREE
 from tween.io.whole_files import AnyPath, write
 from tween.plot.shapes import outline_of
-from tween.triangulating.explanation import Explanation
+from tween.triangulating.repair.explanation import Explanation
 
 _MOST_MARKS = 400  # of one kind
 _SIZE = 6.4  # inches

@@ -4,18 +4,5 @@ import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(
     __name__,
-    submodules={
-        "changes",
-        "cleaning",
-        "compatibility",
-        "costs",
-        "decomposition",
-        "explanation",
-        "flips",
-        "mending",
-        "reduction",
-        "restoration",
-        "table",
-        "table_kernels",
-    },
+    submodules={"compatibility", "costs", "decomposition", "flips", "reduction", "repair", "restoration", "table"},
 )

@@ -1,6 +1,6 @@
 """Which triangulations a curve has: decided, counted, sampled, the best one, one for each immersed disk.
 
-By the table of Shor and Van Wyk, see `.table`.
+By the table of Shor and Van Wyk, see `.table.splits`.
 
 References
 ----------
@@ -21,11 +21,12 @@ from tween.geometry.triangulation import Triangulation
 from tween.triangulating.flips import remesh
 from tween.triangulating.reduction import Reduction, reduce_curve
 from tween.triangulating.restoration import restore
-from tween.triangulating.table import Table
-from tween.triangulating.table_kernels import best_splits, draw, follow
+from tween.triangulating.table.optimum import best_splits, follow
+from tween.triangulating.table.sampling import draw
+from tween.triangulating.table.splits import Table
 
 if TYPE_CHECKING:
-    from tween.triangulating.explanation import Explanation
+    from tween.triangulating.repair.explanation import Explanation
 
 _AT_ONCE = 2**20  # triangles whose costs are asked for
 _SMALL = 200  # vertices; up to here the table is as quick as anything
@@ -304,7 +305,7 @@ class Decomposition:
         1. cut off the loop at (1.714, 1.714): 36 % of the area is lost.
         2. keep only the loop at (1.714, 1.714): 64 % of the area is lost.
         """
-        from tween.triangulating.explanation import explain  # here, as it decomposes the curves that it suggests
+        from tween.triangulating.repair.explanation import explain  # here, as it decomposes the curves that it suggests
 
         alone = [self] if len(self._curves) == 1 else [decompose(c) for c in self._curves]
         for decomposition in alone:

@@ -1,6 +1,6 @@
 """Table 1 as pictures: where the remeshed triangulation lies among random ones, and what that depends on."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from experiments.figures.registry import WIDTH, drawing
 from experiments.measures import MEASURES
 from experiments.store import RESULTS
+from experiments.subjects import shapes
 from tween import plot as draw
 
 VERDICTS: dict[str, dict[str, Any]] = {  # the hatch tells the last from the first where there is no colour
@@ -24,30 +25,55 @@ VERDICTS: dict[str, dict[str, Any]] = {  # the hatch tells the last from the fir
 VERDICT_LABELS = ("remeshed below the median of the random", "equal", "above")
 DEFAULTS = {"slide", "100", "shares of the source", "spaced by arc length", "disk's centre", "median of the uniform"}
 WAYS = ("straight", "flipped", "over the disk")
+# From fat to thin, every second or third of our curves.
+SELECTION = (
+    *("convex", "three_lobes", "five_disks", "two_disks", "ell", "arrow", "comb"),
+    *("horseshoe", "loop", "ess", "winding_3", "spiral_2", "letter e", "letter R"),
+)
 
 
 @drawing(
     "table_1_linear",
     "Table 1",
-    """Where the remeshed triangulation lies in the distribution of the random ones, path linear.""",
+    """Where the remeshed triangulation lies in the distribution of the random ones on the way to the disk, path linear,
+    pace time, on some of our curves, fat ones above and thin ones below.""",
 )
 def table_1_linear() -> Figure:
-    return table_1("linear")
+    return table_1("linear", SELECTION)
+
+
+@drawing(
+    "table_1_linear_all",
+    "Table 1, supplement",
+    """As the figure before, every curve: path linear, pace time.""",
+)
+def table_1_linear_all() -> Figure:
+    return table_1("linear", shapes())
 
 
 @drawing(
     "table_1_slide",
     "Table 1",
-    """Where the remeshed triangulation lies in the distribution of the random ones, path slide.""",
+    """Where the remeshed triangulation lies in the distribution of the random ones on the way to the disk, path slide,
+    pace time, on some of our curves, fat ones above and thin ones below.""",
 )
 def table_1_slide() -> Figure:
-    return table_1("slide")
+    return table_1("slide", SELECTION)
 
 
-def table_1(path: str) -> Figure:
+@drawing(
+    "table_1_slide_all",
+    "Table 1, supplement",
+    """As the figure before, every curve: path slide, pace time.""",
+)
+def table_1_slide_all() -> Figure:
+    return table_1("slide", shapes())
+
+
+def table_1(path: str, names: Iterable[str]) -> Figure:
     """Where the remeshed triangulation lies in the distribution of the random ones, curve by curve."""
-    table = pd.read_csv(RESULTS / "table_1_to_disk.csv")
-    figure, axes = plt.subplots(1, 3, figsize=(WIDTH, 6.0), sharey=True)
+    table = pd.read_csv(RESULTS / "table_1_to_disk.csv").set_index("curve").loc[list(names)].reset_index()
+    figure, axes = plt.subplots(1, 3, figsize=(WIDTH, 1.2 + 0.145 * table.curve.nunique()), sharey=True)
     titles = {"AR_1e-4": "AR at tolerance 1e-4", "AR_1e-9": "AR at tolerance 1e-9", "Var": "Var"}
     for ax, (measure, title) in zip(axes, titles.items(), strict=True):
         _distributions(ax, table[table.path == path], measure)
@@ -75,13 +101,14 @@ def _distributions(ax: Axes, table: pd.DataFrame, measure: str) -> None:
     "sensitivity",
     "Table 1",
     """On how many of our 34 curves the remeshed triangulation has a smaller, an equal or a larger measure than the
-    median random one, on the way to the disk.  Above: the rank along four paths, by its tolerance.  Below: one thing at
-    a time set otherwise, the default in bold; right of each bar the ratio random / remeshed, its median over the curves
-    (in the last block: the ratio of the triangulation that is named to the remeshed one).  Tolerance and path decide;
-    frames, disk, root and unit hardly matter; and no median of the rank reaches 2.""",
+    median random one, on the way to the disk. Above: the rank along four paths, by its tolerance. Below: one thing
+    at a time set otherwise, the default in bold; right of each bar the ratio random / remeshed, its median over the
+    curves (in the last block: the ratio of the triangulation that is named to the remeshed one). Tolerance and path
+    decide; frames, disk, root and unit hardly matter; and no median of the rank reaches 2. Pace: time.""",
 )
 def sensitivity() -> Figure:
     table = pd.read_csv(RESULTS / "sensitivity.csv", dtype={"setting": str})
+    others = table[~table.setting.isin(DEFAULTS) | (table.factor == "path")]
     figure = plt.figure(figsize=(WIDTH, 8.4))
     top, rest = figure.subfigures(2, 1, height_ratios=[1, 3.2], squeeze=False)[:, 0]
     for ax, path in zip(top.subplots(1, 4, sharey=True), ("slide", "linear", "angle", "metric"), strict=True):
@@ -89,9 +116,9 @@ def sensitivity() -> Figure:
         ax.set_title(f"AR, path {path}")
     top.axes[0].set_ylabel("curves")
     for ax, measure in zip(rest.subplots(1, 3, sharey=True), ("AR_1e-4", "AR_1e-9", "Var"), strict=True):
-        _by_setting(ax, table[table.measure == measure])
+        _by_setting(ax, others[others.measure == measure])
         ax.set_title(measure.replace("_", " at tolerance "))
-    _name_settings(rest.axes[0], table[table.measure == "Var"])
+    _name_settings(rest.axes[0], others[others.measure == "Var"])
     handles = [Patch(label=label, **look) for label, look in zip(VERDICT_LABELS, VERDICTS.values(), strict=True)]
     rest.legend(handles=handles, loc="outside lower center", ncols=3)
     return figure
@@ -187,7 +214,7 @@ def _correlations(ax: Axes, table: pd.DataFrame, label: str) -> None:
     columns.  Straight to the other curve the rank is small whatever the triangulation; arbitrary ones of two curves
     have to be flipped; led over the disk, the remeshed ones have a rank of nearly that size too.  Right: the pairs of
     our curves that have a common triangulation under the pivots' correspondence, straight under it, and with the
-    remeshed triangulations, which have to be flipped; the larger a dot, the more pairs.""",
+    remeshed triangulations, which have to be flipped; the larger a dot, the more pairs.  Path slide, pace speed.""",
 )
 def table_1_ways() -> Figure:
     ways, flips = (pd.read_csv(RESULTS / f"table_1_curve_to_curve_{part}.csv") for part in ("ways", "flips"))

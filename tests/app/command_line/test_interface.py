@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from terminal import COMMANDS, Run, parsed
 
 from tween.app.command_line import commands
-from tween.choices import FITS, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
+from tween.choices import FITS, PACES, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 
 def examples(command: click.Command) -> list[str]:
@@ -51,6 +51,7 @@ def test_help_says_what_a_command_is_for_and_fits_the_page(name: str, run: Run, 
         ("style", STYLES),
         ("root", ROOT_RULES),
         ("placement", PLACEMENTS),
+        ("pace", PACES),
         ("fit", FITS),
     ],
 )

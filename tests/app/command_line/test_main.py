@@ -114,6 +114,7 @@ FAULTS = [
     ("morph gallery:ell gallery:arrow disk -o kept.gif", "the word disk"),
     ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --strategy paper", "always matched"),
     ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --root 3", "root"),
+    ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --pace speed", "--ease"),
     ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --landmark 0:1:2", "expected one of each of 2"),
     ("morph gallery:ell disk -o kept.gif --fill nocolor", "a colour such as"),
     ("morph gallery:ell disk -o kept.gif --stroke 12", "or 'none'"),

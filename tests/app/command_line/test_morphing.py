@@ -26,6 +26,7 @@ from tween.plot import animation
         ("--path area --root tree-center", {"path": "area", "root": "tree-center", "guarantee": True}),
         ("--root 3 --strategy paper", {"path": "metric", "root": 3, "strategy": "paper", "guarantee": True}),
         ("--strategy common --placement root", {"strategy": "common", "placement": "root"}),
+        ("--pace speed", {"pace": "speed"}),
         ("--landmark 0:0", {"landmarks": [(0, 0)]}),
     ],
 )

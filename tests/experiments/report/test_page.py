@@ -216,7 +216,8 @@ def test_the_abstract_follows_the_results() -> None:
     own = (table.path == "slide") & (table.triangulation == "remeshed")
     table.loc[own, "AR_1e-4"] = 10**6
     after = facts.against_median(table, "AR_1e-4", "slide")
-    assert before != after == {"below": 0, "above": int(own.sum()), "gap": after["gap"]}
+    assert before != after == {"below": 0, "above": int(own.sum()), "gap": after["gap"], "p": after["p"]}
+    assert float(after["p"]) < 1e-6
 
 
 @pytest.mark.parametrize("file", report.NEEDED)

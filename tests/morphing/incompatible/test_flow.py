@@ -183,6 +183,26 @@ def test_the_pace_does_not_change_much(pair: Pair, way: Way) -> None:
     assert np.ptp(np.percentile(speeds(made(pair, way)), [1, 99])) < 0.28
 
 
+@every_pair
+def test_in_its_own_time_a_morph_has_half_for_the_way_and_half_for_the_flow(pair: Pair) -> None:
+    m = paper_morph(*map(shape, pair), pace="time")
+    assert m.u is not None and m.v is not None
+    times = np.array(flip_times(m) if m.v <= m.u else [1 - t for t in flip_times(m)])
+    assert times.min() == pytest.approx(0.5 if min(m.u, m.v) > 0 else 1.0) and times.max() <= 1
+    even = paper_morph(*map(shape, pair), pace="speed")
+    assert [event[1:] for event in even.events] == [event[1:] for event in m.events]
+    assert [event.time for event in even.events] == [event.time for event in paper_morph(*map(shape, pair)).events]
+
+
+@every_pair
+def test_the_pace_changes_times_and_not_shapes(pair: Pair) -> None:
+    own, even = (paper_morph(*map(shape, pair), pace=pace) for pace in ("time", "speed"))
+    for a, b in zip(
+        own.events[:: max(1, len(own.events) // 7)], even.events[:: max(1, len(own.events) // 7)], strict=True
+    ):
+        assert own(a.time) == pytest.approx(even(b.time), abs=1e-6 * size(own))
+
+
 def test_the_pace_is_even() -> None:
     spreads = [np.ptp(np.percentile(speeds(made(*x)), [1, 99])) for x in product(PAIRS, WAYS)]
     assert max(spreads) < 0.1

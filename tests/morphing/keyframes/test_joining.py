@@ -32,3 +32,15 @@ def test_the_leg_that_closes_a_loop_is_the_one_where_it_costs_least() -> None:
     matcher = joining.Matcher(keyframes, ())
     every = [joining._closed_on(matcher, [0, 0, 0], leg, joining.MERGE, {}).energy for leg in range(3)]
     assert join(keyframes, True).energy == min(every) < max(every)
+
+
+@pytest.mark.slow
+def test_a_loop_that_no_leg_closes_is_closed_after_another_leg_was_matched_anew(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    keyframes = [Keyframe(gallery.letter(char), char) for char in "IRcV"]
+    keyframes.insert(3, Keyframe(gallery.curve("ell"), "ell"))
+    joined = join(keyframes, True)
+    assert np.isfinite(joined.energy) and joined.holds()
+    monkeypatch.setattr(joining, "_PAIRS", ())
+    assert not np.isfinite(join(keyframes, True).energy)

@@ -23,10 +23,10 @@ from tween.io.outlines import label
 from tween.io.whole_files import naming
 from tween.measuring.certificate import Certificate, verify
 from tween.measuring.find_triangles import find_triangles
-from tween.triangulating.cleaning import clean as cleaned
 from tween.triangulating.costs import smallest_angle
 from tween.triangulating.decomposition import Decomposition, decompose
 from tween.triangulating.decomposition import triangulate as delaunay
+from tween.triangulating.repair.cleaning import clean as cleaned
 
 __all__ = ["certify", "clean", "gallery", "info", "morph", "triangulate", "warmup"]
 

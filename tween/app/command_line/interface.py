@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from tween.app.command_line import completion
-from tween.choices import FITS, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
+from tween.choices import FITS, PACES, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 _SHAPE = (
     "FILE is a .svg, .csv, .json, .geojson, .npz or .npy file, - for standard input, the data of an SVG path, or "
@@ -301,6 +301,13 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
     default="steady",
     help="Size, place and direction of the shapes: changing evenly (steady, unless given), or as the triangle has it "
     "from which the motion starts (root).",
+)
+@click.option(
+    "--pace",
+    type=click.Choice(PACES),
+    default="auto",
+    help="The clock: the motion's own (time), or vertices always equally fast (speed); unless given, time where there "
+    "are no flips, and speed where there are.",
 )
 @click.option("--certify", is_flag=True, help="Check the shapes exactly, independently of the morph.")
 @click.option(

@@ -82,7 +82,7 @@ def _morph(
     try:
         if len(ends) > 2:
             return _sequence(options, ends, landmarks)
-        words = ("path", "guarantee", "strategy", "placement", "root")
+        words = ("path", "guarantee", "strategy", "placement", "root", "pace")
         chosen = {name: getattr(options, name) for name in words}
         pairs = None if landmarks is None else [(pair[0], pair[1]) for pair in landmarks]
         return morph_between(ends[0], ends[1], **chosen, landmarks=pairs)
@@ -94,6 +94,8 @@ def _sequence(options: Options, ends: list[Curve | Triangulation], landmarks: li
     """The morph through several keyframes; one that begins and ends with the same word is a loop."""
     if options.strategy not in ("auto", "matched"):
         raise IncompatibleError(f"strategy is {options.strategy!r}, but keyframes are always matched")
+    if options.pace == "speed":
+        raise IncompatibleError("pace is 'speed', but between keyframes the clock is the motion's own; --ease bends it")
     words = ("path", "guarantee", "placement", "root")
     return sequence_of(
         ends,

@@ -21,8 +21,8 @@ from tween.io.content import Outline
 from tween.io.outlines import curve_of, label, pen_hint, read_outline
 from tween.io.pens import drawn
 from tween.io.whole_files import naming
-from tween.triangulating.cleaning import clean
 from tween.triangulating.decomposition import decompose
+from tween.triangulating.repair.cleaning import clean
 
 
 class Reading(NamedTuple):

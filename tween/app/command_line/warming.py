@@ -24,10 +24,10 @@ from tween.morphing.matching.match import match
 from tween.morphing.morph import Morph
 from tween.morphing.strategy import morph, paper_morph
 from tween.triangulating import costs
-from tween.triangulating.cleaning import clean
 from tween.triangulating.compatibility import compatible_shift
 from tween.triangulating.decomposition import decompose, triangulate
 from tween.triangulating.flips import flippable, locally_delaunay
+from tween.triangulating.repair.cleaning import clean
 
 _SEVERAL_DISKS, _SMALL, _OTHER = "two_disks", "arrow", "ell"
 _LARGE = 400  # vertices, enough for a curve to be reduced

@@ -9,8 +9,8 @@ import math
 import numpy as np
 from numba import njit
 
-from tween.morphing.compatible.angle_budgets import keep_to_budget
-from tween.morphing.compatible.area_bounds import area_third
+from tween.morphing.compatible.guarantee.angle_budgets import keep_to_budget
+from tween.morphing.compatible.guarantee.area_bounds import area_third
 
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 

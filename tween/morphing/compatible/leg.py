@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_bounds import Bounds, angle_bounds, within_budgets
-from tween.morphing.compatible.angle_budgets import (
+from tween.morphing.compatible.guarantee.angle_bounds import Bounds, angle_bounds, within_budgets
+from tween.morphing.compatible.guarantee.angle_budgets import (
     default_reserve,
     left_over,
     no_budgets,
     proved_budgets,
 )
-from tween.morphing.compatible.area_bounds import area_bounds, largest_sums
-from tween.morphing.compatible.area_twists import AreaPath, kept_below_full_turn, straight_area_path
+from tween.morphing.compatible.guarantee.area_bounds import area_bounds, largest_sums
+from tween.morphing.compatible.guarantee.area_twists import AreaPath, kept_below_full_turn, straight_area_path
+from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.layout import hang, placed, root_base
-from tween.morphing.compatible.layout_errors import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
 
 _THINNEST = 2.0**-60
@@ -44,7 +44,7 @@ class Leg:
     root : int
         Number of the root triangle.
     guarantee : bool
-        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.angle_budgets`.
+        Whether angle budgets keep the sum of the angles at every vertex below 2 pi, see `.guarantee`.
     reserve : ndarray of float64, shape (2, n), optional
         What budgets leave untouched at both ends, see `default_reserve`.
 
@@ -102,7 +102,7 @@ class Leg:
     def first_doubt(
         self, placing: Placing, stop: float = 1.0, ends: tuple[bool, bool] = (True, True)
     ) -> Doubt | tuple[float, float]:
-        """Prove that the shapes are valid in doubles, or tell where that fails; see `layout_errors`.
+        """Prove that the shapes are valid in doubles, or tell where that fails; see `.guarantee`.
 
         Parameters
         ----------

@@ -1,4 +1,7 @@
-"""An even pace: time distributed over pieces of a motion so that the vertices always move equally fast.
+"""Clocks: how time is distributed over the pieces of a motion.
+
+A motion has a time of its own: that in which apexes run along their paths, and in which a flow approaches its disk.  At
+an even pace the vertices always move equally fast instead, whatever the motion's own time says.
 
 Between two samples of a piece its own time runs evenly.  An interval is halved until both halves are equally long to
 a few parts in a hundred, or too short to matter: so a triangle that opens quickly gets the time for it, and in any
@@ -28,6 +31,8 @@ class Clock:
     ----------
     pieces : list of callable
         From shares, shape (k,), to shapes, shape (k, n, 2).
+    spans : ndarray of float64, shape (pieces,), optional
+        The time that each piece gets, in which it runs by its own; without it the vertices always move equally fast.
 
     Attributes
     ----------
@@ -35,18 +40,29 @@ class Clock:
         When each piece begins, and 1.
     """
 
-    def __init__(self, pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]]) -> None:
+    def __init__(
+        self,
+        pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]],
+        spans: NDArray[np.float64] | None = None,
+    ) -> None:
+        if spans is None:
+            spans = self._measured(pieces)
+        else:
+            self._shares = self._ways = [np.array([0.0, 1.0])] * len(pieces)
+        ends = np.concatenate([[0.0], np.cumsum(spans)]) / spans.sum()
+        ends[-1] = 1.0
+        self.starts: list[float] = ends.tolist()
+
+    def _measured(self, pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]]) -> NDArray[np.float64]:
+        """Measure the pieces, and give each time in proportion to its length."""
         first = [_sampled(piece, np.linspace(0.0, 1.0, _SAMPLES)) for piece in pieces]
         whole = sum(length.sum() for _, length in first)
         measured = [_refined(piece, *sample, whole) for piece, sample in zip(pieces, first, strict=True)]
         whole = sum(length.sum() for _, length in measured)
         ways = [np.concatenate([[0.0], np.cumsum(length)]) for _, length in measured]
-        spans = np.array([max(way[-1], _LEAST * whole) if whole > 0 else 1.0 for way in ways])
-        ends = np.concatenate([[0.0], np.cumsum(spans)]) / spans.sum()
-        ends[-1] = 1.0
-        self.starts: list[float] = ends.tolist()
         self._shares = [share for share, _ in measured]
         self._ways = [way / way[-1] if way[-1] > 0 else share for way, share in zip(ways, self._shares, strict=True)]
+        return np.array([max(way[-1], _LEAST * whole) if whole > 0 else 1.0 for way in ways])
 
     def places(self, t: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
         """Tell in which piece times lie, and where in it.

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from tween.choices import Order, Path
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_budgets import RESERVE
+from tween.morphing.compatible.guarantee.angle_budgets import RESERVE
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence
 from tween.triangulating.flips import flip_in_place, quadrilateral
@@ -172,6 +172,17 @@ class Flow:
         ndarray of float64, shape (n,)
         """
         return RESERVE * ((1.0 - tau) * self._left[0] + tau * self._left[1])
+
+    def times(self) -> NDArray[np.float64]:
+        """The flow's own time, at which each piece begins, and that at which the last one ends.
+
+        Returns
+        -------
+        ndarray of float64, shape (pieces + 1,)
+            From 0 to `end`.
+        """
+        left = np.cumprod([1.0, *(1.0 - piece.stop for piece in self.pieces)])
+        return np.asarray(1.0 - left)
 
     def _move_on(self) -> None:
         """Run to the first time at which a waiting flip is possible, and flip."""

@@ -11,10 +11,10 @@ get that very array.
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.choices import Path
+from tween.choices import Pace, Path
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.angle_budgets import RESERVE
-from tween.morphing.compatible.layout_errors import Doubt, Placing
+from tween.morphing.compatible.guarantee.angle_budgets import RESERVE
+from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
 from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flow import Event, Flow, Piece
@@ -38,25 +38,33 @@ class Through:
         Of the way to the end of the flow.
     guarantee : bool
         Whether angle budgets keep every shape on that way the boundary of an immersed disk.
+    pace : {"auto", "speed", "time"}
+        "time": half of the time for the leg, half for the flow, each by its own clock.  Otherwise at every moment the
+        vertices move equally fast, see `clock`.
 
     Attributes
     ----------
     stages : list of (float, ndarray)
         The triangles in force and from when on; a flip hands two rows on to two rows.
     events : list of Event
-
-    Notes
-    -----
-    Time is distributed so that at every moment the vertices move equally fast, see `clock`.
     """
 
-    def __init__(self, T: Triangulation, flow: Flow, path: Path, root: str | int, guarantee: bool = False) -> None:
+    def __init__(
+        self,
+        T: Triangulation,
+        flow: Flow,
+        path: Path,
+        root: str | int,
+        guarantee: bool = False,
+        pace: Pace = "auto",
+    ) -> None:
         end = T.moved(flow.final.points)
         spare = np.minimum(0.5 * left_below_full_turn(end), flow.reserve(flow.end))
         reserve = np.stack([RESERVE * left_below_full_turn(T), spare])
         straight = Leg(T, end.points, path, root_triangle(root, T, end), guarantee, reserve)
         self._pieces = [Piece(straight, 0.0, 1.0), *(piece.reversed() for piece in reversed(flow.pieces))]
-        self._clock = Clock([piece.at for piece in self._pieces])
+        own = np.concatenate([[0.5], 0.5 * np.diff(flow.times())[::-1] / flow.end]) if flow.pieces else np.ones(1)
+        self._clock = Clock([piece.at for piece in self._pieces], own if pace == "time" else None)
         starts = self._clock.starts
         rows = match_rows(flow.final.triangles, T.triangles)
         self.stages = [(0.0, T.triangles)]

@@ -94,7 +94,7 @@ def _round(matcher: Matcher, disks: Sequence[int], merge: float) -> Joined:
     tried = {leg: _closed_on(matcher, disks, leg, merge, {}) for leg in legs}
     best = min(tried.values(), key=_energy)
     for most, (leg, joined) in itertools.product(_PAIRS, tried.items()):
-        if np.isfinite(best.energy) or not matcher.free:
+        if np.isfinite(best.energy) or not matcher.free or k > len(legs):
             break
         closing = joined.bridges[leg]
         few = np.arange(most) * len(closing.source) // most
