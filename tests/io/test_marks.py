@@ -31,7 +31,7 @@ def test_other_files_have_no_marks(tmp_path):
 
 
 def test_marks_of_one_name_are_the_nearest_vertices_of_both():
-    found = landmarks(SQUARE, {"a": (9.9, 0.3), "b": (0, 10), "c": (0, 0)}, SQUARE, {"b": (10, 10), "a": (0, 0)})
+    found = landmarks([SQUARE] * 2, [{"a": (9.9, 0.3), "b": (0, 10), "c": (0, 0)}, {"b": (10, 10), "a": (0, 0)}])
     assert found == {"a": (1, 0), "b": (3, 2)}
 
 
@@ -41,4 +41,4 @@ def test_marks_of_one_name_are_the_nearest_vertices_of_both():
 )
 def test_a_mark_far_from_its_curve_and_two_at_one_vertex_are_refused(marks, words):
     with pytest.raises(FileError, match=words):
-        landmarks(SQUARE, marks, SQUARE, marks)
+        landmarks([SQUARE] * 3, [marks] * 3)

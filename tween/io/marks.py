@@ -1,6 +1,6 @@
 """Landmarks from files: what bears the same id in both has to correspond."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,22 +37,20 @@ def read_marks(path: AnyPath) -> dict[str, tuple[float, float]]:
         return contents(path).marks
 
 
-def landmarks(
-    source: Curve | ArrayLike, source_marks: Marks, target: Curve | ArrayLike, target_marks: Marks
-) -> dict[str, tuple[int, int]]:
-    """Find the vertices that two curves have at the marks of the same name.
+def landmarks(curves: Sequence[Curve | ArrayLike], marks: Sequence[Marks]) -> dict[str, tuple[int, ...]]:
+    """Find the vertices that several curves have at the marks of the same name.
 
     Parameters
     ----------
-    source, target : Curve or array_like of shape (n, 2)
-    source_marks, target_marks : mapping of str to (float, float)
-        As `read_marks` returns them.
+    curves : sequence of Curve or array_like of shape (n, 2)
+    marks : sequence of mapping of str to (float, float)
+        Of each curve, as `read_marks` returns them.
 
     Returns
     -------
-    dict of str to (int, int)
-        For each name that occurs in both, the vertex of the source and that of the target that lies nearest; in the
-        order in which the source has them.  ``list(found.values())`` are the `landmarks` of `tween.match`.
+    dict of str to tuple of int
+        For each name that occurs in all of them, the vertex of each curve that lies nearest; in the order in which the
+        first has the names.  ``list(found.values())`` are the `landmarks` of `tween.morph` and of `tween.sequence`.
 
     Raises
     ------
@@ -63,18 +61,22 @@ def landmarks(
     Examples
     --------
     >>> square, diamond = [[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 0], [1, 1], [0, 2], [-1, 1]]
-    >>> landmarks(square, {"top": (1.02, 1), "nose": (0, 0)}, diamond, {"top": (0, 2), "tail": (0, 0)})
+    >>> landmarks([square, diamond], [{"top": (1.02, 1), "nose": (0, 0)}, {"top": (0, 2), "tail": (0, 0)}])
     {'top': (2, 2)}
     """
-    common = [name for name in source_marks if name in target_marks]
-    ends = (as_curve(source), source_marks), (as_curve(target), target_marks)
-    first, second = ([_nearest(curve, name, marks[name]) for name in common] for curve, marks in ends)
-    for vertices in (first, second):
-        for k, vertex in enumerate(vertices):
-            if vertex in vertices[:k]:
-                other = common[vertices.index(vertex)]
-                raise FileError(f"the marks {other!r} and {common[k]!r} are both nearest to vertex {vertex}")
-    return dict(zip(common, zip(first, second, strict=True), strict=True))
+    common = [name for name in marks[0] if all(name in others for others in marks)]
+    columns = [_vertices(as_curve(curve), named, common) for curve, named in zip(curves, marks, strict=True)]
+    return dict(zip(common, zip(*columns, strict=True), strict=True))
+
+
+def _vertices(curve: Curve, marks: Marks, names: list[str]) -> list[int]:
+    """The vertices nearest to marks, no two the same."""
+    vertices = [_nearest(curve, name, marks[name]) for name in names]
+    for k, vertex in enumerate(vertices):
+        if vertex in vertices[:k]:
+            other = names[vertices.index(vertex)]
+            raise FileError(f"the marks {other!r} and {names[k]!r} are both nearest to vertex {vertex}")
+    return vertices
 
 
 def _nearest(curve: Curve, name: str, place: tuple[float, float]) -> int:

@@ -103,10 +103,25 @@ FAULTS = [
     ("info 'M0 0L1 0 1'", "path data M0 0L1 0 1"),
     ("morph - - -o kept.gif", "once only"),
     ("morph square.json gallery:ell -o kept.gif --fit size", "area"),
-    ("morph square.json gallery:ell -o kept.gif --landmarks-from-files", "two files"),
-    ("morph square.json pentagon.json -o kept.gif --landmarks-from-files", "mark no place by the same id"),
+    ("morph square.json gallery:ell -o kept.gif --landmarks-from-files", "needs files"),
+    (
+        "morph square.json pentagon.json -o kept.gif --landmarks-from-files",
+        "(square.json: none; pentagon.json: none)",
+    ),
     ("info holes.geojson", "'outer' (outer ring of a Polygon with 1 hole), 'hole1' (hole of a Polygon)"),
     ("warmup --jobs 0", "1<=x"),
+    ("morph gallery:ell -o kept.gif", "two at least"),
+    ("morph gallery:ell gallery:arrow disk -o kept.gif", "the word disk"),
+    ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --strategy paper", "always matched"),
+    ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --root 3", "root"),
+    ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --pace speed", "--ease"),
+    ("morph gallery:ell gallery:arrow gallery:ell -o kept.gif --landmark 0:1:2", "expected one of each of 2"),
+    ("morph gallery:ell disk -o kept.gif --fill nocolor", "a colour such as"),
+    ("morph gallery:ell disk -o kept.gif --stroke 12", "or 'none'"),
+    ("morph gallery:ell disk -o kept.gif --ease bounce", "ease-in-out"),
+    ("morph gallery:ell disk -o kept.gif --ease linear --no-ease", "not allowed"),
+    ("morph gallery:ell disk -o kept_%d.gif", "%04d"),
+    ("morph gallery:ell disk -o kept.gif --background fog", "fog"),
     ("gallery e_to_l -o kept.csv", "/source or /target"),
 ]
 
@@ -140,7 +155,7 @@ def test_a_film_that_cannot_be_made_is_refused_before_the_morph(
     name: str, fps: int, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(morphing, "morph_between", None)
-    monkeypatch.setattr("tween.plot.animation._ffmpeg", Mock(side_effect=tween.errors.FileError("there is no ffmpeg")))
+    monkeypatch.setattr("tween.plot.video.ffmpeg", Mock(side_effect=tween.errors.FileError("there is no ffmpeg")))
     status, out, err = run(f"morph gallery:ell disk -o {name} --fps {fps}")
     assert (status, out) == (2, "")
     assert re.fullmatch(rf"tween: {name}: (fps is 60, .+|there is no ffmpeg)\n", err)

@@ -14,6 +14,7 @@ from terminal import EIGHT, Run, write_points
 
 import tween
 from tween import gallery, io
+from tween.easing import as_ease
 from tween.plot import animation
 
 
@@ -69,18 +70,17 @@ def test_the_options_of_the_film_reach_it(run: Run, monkeypatch: pytest.MonkeyPa
 
     seen: dict[str, Any] = {}
     monkeypatch.setattr(animation, "save_animation", lambda path, m, **options: seen.update(options))
-    line = "--frames 9 --fps 12 --size 64x48 --style outline --no-ease --once"
+    line = "--frames 9 --fps 12 --size 64x48 --style outline --no-ease --once --stroke red --width 3 --background black"
     assert run(f"morph gallery:ell disk -o m.gif {line}")[0] == 0
-    assert seen == {
-        "frames": 9,
-        "fps": 12,
-        "size": (64, 48),
-        "style": "outline",
-        "ease": False,
-        "there_and_back": False,
-    }
-    assert run("morph gallery:ell disk -o m.gif --size 64")[0] == 0
-    assert (seen["size"], seen["ease"], seen["there_and_back"]) == (64, True, True)
+    chosen = {"frames": 9, "fps": 12, "size": (64, 48), "style": "outline", "ease": as_ease("linear")}
+    colors = {"fill": None, "stroke": "red", "width": 3.0, "background": "black"}
+    assert seen == {**chosen, **colors, "there_and_back": False}
+    seen.clear()
+    assert run("morph gallery:ell disk -o m.gif --size small --fill '#00000080'")[0] == 0
+    assert (seen["size"], seen["fill"], seen["there_and_back"]) == ("small", "#00000080", None)
+    assert "ease" not in seen
+    assert run("morph gallery:ell disk -o m.gif --ease 'cubic-bezier(.4, 0, .6, 1)'")[0] == 0
+    assert seen["ease"] == as_ease((0.4, 0, 0.6, 1))
 
 
 def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
@@ -159,3 +159,63 @@ def test_points_of_the_same_name_in_two_geojson_files_are_landmarks(run: Run) ->
     status, out, err = run("morph arrow.geojson ell.geojson -o m.npz --frames 2 --landmarks-from-files")
     assert (status, err) == (0, "")
     assert out.startswith("landmarks: Point 0:12\n")
+
+
+# Keyframes
+
+
+@pytest.mark.parametrize("name", ["loop.gif", "loop.svg", "loop.npz"])
+def test_a_loop_of_several_curves_is_one_command(name: str, run: Run) -> None:
+    status, out, err = run(f"morph letter:a letter:e letter:l letter:a -o {name} --certify --size 90 --frames 31")
+    assert (status, err) == (0, "")
+    assert out.startswith("valid at every instant of playback\n")
+    assert "31 frames of" in out.splitlines()[-1]
+    if name == "loop.gif":
+        with Image.open(name) as film:
+            assert film.n_frames <= 31
+    else:
+        frames = io.read_frames(name)[0]
+        assert np.array_equal(frames[0], frames[-1])
+    if name == "loop.npz":
+        curves = [gallery.letter(c) for c in "ael"]
+        assert np.array_equal(frames, tween.sequence(curves, loop=True).frames(31))
+
+
+def test_curves_that_do_not_come_back_make_no_loop(run: Run) -> None:
+    status, out, _ = run("morph gallery:ell gallery:arrow gallery:convex -o m.npz")
+    assert status == 0
+    assert "wrote m.npz: 61 frames of" in out
+    frames = io.read_frames("m.npz")[0]
+    assert len(frames) == 61
+    curves = [gallery.curve(name) for name in ("ell", "arrow", "convex")]
+    assert np.array_equal(frames, tween.sequence(curves).frames(61))
+
+
+def test_landmarks_of_keyframes_are_one_vertex_of_each(run: Run) -> None:
+    for name, vertex in (("arrow", 0), ("ell", 12), ("convex", 5)):
+        drawing(name, {"tip": vertex})
+    line = "morph arrow.svg ell.svg convex.svg arrow.svg --frames 4 -o m.npz"
+    status, out, err = run(f"{line} --landmarks-from-files")
+    assert (status, err) == (0, "")
+    assert out.startswith("landmarks: tip 0:12:5\n")
+    status, _, err = run("morph gallery:arrow gallery:ell gallery:convex -o m.npz --landmark 0:12")
+    assert (status, err) == (2, "tween: landmark 0:12 has 2 vertices, expected one of each of 3 curves\n")
+
+
+def test_a_keyframe_that_bounds_no_disk_is_named_with_its_number_and_file(run: Run) -> None:
+    write_points("eight.csv", EIGHT)
+    good = " ".join(["gallery:ell"] * 7)
+    status, out, err = run(f"morph {good} eight.csv gallery:arrow -o m.gif")
+    assert (status, out) == (2, "")
+    assert err.startswith(
+        "tween: eight.csv (keyframe 7): the curve bounds no immersed disk: turning number is 0, not 1"
+    )
+    assert not Path("m.gif").exists()
+
+
+def test_all_keyframes_are_brought_to_the_place_of_the_first(run: Run) -> None:
+    for k in (1, 2):
+        write_points(f"{k}.csv", 10.0**k * gallery.curve("arrow").points)
+    assert run("morph gallery:ell 1.csv 2.csv gallery:ell -o m.npz --frames 4 --fit area")[0] == 0
+    areas = [tween.Curve(frame).area for frame in io.read_frames("m.npz")[0]]
+    assert areas == pytest.approx([gallery.curve("ell").area] * 4)

@@ -41,11 +41,10 @@ def _run(name: str, options: dict[str, Any]) -> int:
 # The words that options take
 
 
-def _landmark(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"([0-9]+):([0-9]+)", text)
-    if not found:
-        raise click.BadParameter(f"expected the numbers of two vertices, such as 12:40, found {text!r}")
-    return int(found[1]), int(found[2])
+def _landmark(text: str) -> tuple[int, ...]:
+    if not re.fullmatch(r"[0-9]+(:[0-9]+)+", text):
+        raise click.BadParameter(f"expected the number of a vertex of each curve, such as 12:40, found {text!r}")
+    return tuple(map(int, text.split(":")))
 
 
 def _root(text: str) -> str | int:
@@ -57,11 +56,13 @@ def _root(text: str) -> str | int:
         raise click.BadParameter(f"expected {', '.join(ROOT_RULES)} or a whole number, found {text!r}") from None
 
 
-def _size(text: str) -> int | tuple[int, int]:
+def _size(text: str) -> int | tuple[int, int] | str:
+    if text == "small":
+        return text
     found = re.fullmatch(r"([0-9]{2,4})(?:x([0-9]{2,4}))?", text)
     sides = [int(side) for side in found.groups() if side] if found else []
     if not sides or not all(SIZES[0] <= side <= SIZES[1] for side in sides):
-        expected = f"pixels from {SIZES[0]} to {SIZES[1]}, such as 480 or 640x480"
+        expected = f"pixels from {SIZES[0]} to {SIZES[1]}, such as 480 or 640x480, or small"
         raise click.BadParameter(f"expected {expected}, found {text!r}")
     return sides[0] if len(sides) == 1 else (sides[0], sides[1])
 
@@ -224,24 +225,27 @@ def _triangulate(**options: Any) -> int:
 @command_line.command(
     "morph",
     short_help="Morph one curve into another, or into a disk.",
-    help="Morph one curve into another, or through several, or into a disk, and write the frames.\n\n"
-    f"{_SHAPE}  The word disk is the disk of the same area.",
+    help="Morph one curve into another, through several, or into a disk, and write the frames.\n\n"
+    f"{_SHAPE}  With two curves, the word disk is the disk of the same area.  Of more than two curves the first may be "
+    "named again at the end: that makes a loop.",
     epilog=_examples(
         """
 tween morph gallery:horseshoe disk -o horseshoe.gif
 tween morph letter:e letter:l -o e_to_l.html --frames 30 --certify
 tween morph gallery:arrow gallery:ell -o arrow.gif --landmark 0:12
+tween morph letter:a letter:b letter:c letter:a -o loop.gif --size small
 tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee --strategy paper""",
         "The same in Python:",
         '\b\n  tween.morph(A, B, path="metric", guarantee=True, strategy="auto", placement="steady")',
         "Exit status: 0 written, 1 written but refuted by --certify, 2 bad input or usage.",
     ),
 )
-@click.argument("shapes", metavar="FILE FILE", nargs=2, shell_complete=completion.shapes)
+@click.argument("shapes", metavar="FILE FILE...", nargs=-1, required=True, shell_complete=completion.shapes)
 @click.option("--select-source", metavar="ID", help="Which curve of the first file.")
 @click.option("--select-target", metavar="ID", help="Which curve of the last file.")
 @_output(
-    "File to write: an animation (.gif, .png, .webp, .svg, .mp4, .html) or the numbers (.npz, .json, .csv).",
+    "File to write: an animation (.gif, .png, .webp, .svg, .mp4, .html), pictures (frame_%04d.png), or the numbers "
+    "(.npz, .json, .csv).",
     required=True,
 )
 @_reading
@@ -277,18 +281,19 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
     type=_landmark,
     multiple=True,
     metavar="I:J",
-    help="Vertex I of the first has to become vertex J of the second; may be given several times.",
+    help="Vertex I of the first has to become vertex J of the second (and K of the third, I:J:K); may be given several "
+    "times.",
 )
 @click.option(
     "--landmarks-from-files",
     is_flag=True,
-    help="What bears the same id in both files has to correspond: circles of an SVG, points of a GeoJSON.",
+    help="What bears the same id in all files has to correspond: circles of an SVG, points of a GeoJSON.",
 )
 @click.option(
     "--fit",
     type=click.Choice(FITS),
     default="none",
-    help="Bring the second curve to the place of the first, and to its area or to the size of its box.",
+    help="Bring the others to the place of the first, and to its area or to the size of its box.",
 )
 @click.option(
     "--placement",
@@ -305,13 +310,27 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
     "are no flips, and speed where there are.",
 )
 @click.option("--certify", is_flag=True, help="Check the shapes exactly, independently of the morph.")
-@click.option("--frames", type=click.IntRange(min=2), default=60, metavar="K", help="From the first to the last (60).")
+@click.option(
+    "--frames",
+    type=click.IntRange(min=2),
+    metavar="K",
+    help="How many there are, with those on the way back; 60 on the way there, or 30 a leg, unless given.",
+)
 @click.option("--fps", type=click.IntRange(1, 100), default=25, metavar="F", help="Frames a second (25).")
-@click.option("--size", type=_size, default="480", metavar="S", help="Longer side in pixels (480), or 640x480.")
-@click.option("--style", type=click.Choice(STYLES), default="triangles", help="What is drawn (triangles).")
-@click.option("--no-ease", "ease", is_flag=True, flag_value=False, default=True, help="Start and end at full speed.")
+@click.option("--size", type=_size, default="480", metavar="S", help="Longer side in pixels (480), 640x480, or small.")
+@click.option("--style", type=click.Choice(STYLES), help="What is drawn (triangles).")
+@click.option("--fill", metavar="COLOR", help="Of the disk.")
+@click.option("--stroke", metavar="COLOR", help="Of its outline; or none.")
+@click.option("--width", type=_length, metavar="PIXELS", help="Of its outline.")
+@click.option("--background", default="white", metavar="COLOR", help="Or transparent (white).")
+@click.option("--ease", metavar="CURVE", help="As in CSS: linear, ease-in-out, ..., or cubic-bezier(x1, y1, x2, y2).")
+@click.option("--no-ease", is_flag=True, help="Start and end at full speed.")
 @click.option("--once", is_flag=True, help="From the first to the last, and not back.")
 def _morph(**options: Any) -> int:
+    if len(options["shapes"]) < 2:
+        raise click.UsageError("one curve is given, expected two at least, or a curve and the word disk")
+    if options["ease"] is not None and options["no_ease"]:
+        raise click.UsageError("--no-ease is not allowed with --ease")
     return _run("morph", options)
 
 

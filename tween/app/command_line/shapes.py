@@ -66,8 +66,13 @@ class Shape(NamedTuple):
     curve: Curve
     hint: str = ""
 
-    def fault(self) -> NotSelfOverlappingError:
+    def fault(self, place: str = "") -> NotSelfOverlappingError:
         """Return the error that says why the curve bounds no disk, and what would mend it.
+
+        Parameters
+        ----------
+        place : str
+            Which of several shapes it is.
 
         Returns
         -------
@@ -75,7 +80,8 @@ class Shape(NamedTuple):
         """
         summary = decompose(self.curve).explain().summary
         hint = f" {self.hint[0].upper()}{self.hint[1:]}." if self.hint else ""
-        return NotSelfOverlappingError(f"{label(self.word)}: {summary[0].lower()}{summary[1:]}{hint}")
+        name = f"{label(self.word)} ({place})" if place else label(self.word)
+        return NotSelfOverlappingError(f"{name}: {summary[0].lower()}{summary[1:]}{hint}")
 
 
 def read_shape(word: str, select: str | None = None, how: Reading = _PLAIN) -> Shape:
