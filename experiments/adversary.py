@@ -97,14 +97,14 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
     )
 
 
-def moments(m: tween.Morph, rng: np.random.Generator) -> NDArray[np.float64]:
+def moments(m: tween.Morph, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     """Times to check, a third of them beside flips and ends, a third where sums are largest."""
     marks = np.array([0.0, 1.0, *(e.time for e in m.events)])
     some = rng.choice(marks, min(len(marks), 10), replace=False)
     beside = (np.concatenate([some, [0.0, 1.0]])[:, None] + np.concatenate([-ENDS, [0.0], ENDS])).ravel()
-    times = np.clip(np.concatenate([np.linspace(0, 1, 600), beside]), 0.0, 1.0)
-    radius = 1 / 600
-    while len(times) < TIMES:
+    times = np.clip(np.concatenate([np.linspace(0, 1, 3 * count // 10), beside]), 0.0, 1.0)
+    radius = 3 / count
+    while len(times) < count:
         t = np.unique(times)
         worst = t[np.argsort(largest_sums(m, t))[-12:]]
         times = np.concatenate([times, np.clip((worst[:, None] + radius * rng.uniform(-1, 1, (12, 8))).ravel(), 0, 1)])
@@ -124,7 +124,7 @@ def largest_sums(m: tween.Morph, t: NDArray[np.float64]) -> NDArray[np.float64]:
     return sums.max(axis=1)
 
 
-def tried(seed: int) -> dict[str, Any]:
+def tried(seed: int, times: int = TIMES) -> dict[str, Any]:
     """Make one guaranteed morph, and check it."""
     rng = np.random.default_rng([20, seed])
     kind, source, target, options = pair(rng)
@@ -144,7 +144,7 @@ def tried(seed: int) -> dict[str, Any]:
         return found | {"result": "other", "words": str(error)}
     except Exception as error:  # an error from inside is what is looked for
         return found | {"result": "crash", "words": f"{type(error).__name__}: {error}"}
-    t = moments(m, rng)
+    t = moments(m, rng, times)
     shapes, broken = m.at(t), []
     for part in np.array_split(np.arange(len(t)), 1 + len(t) // 500):
         checked = tween.verify(shapes[part], np.stack([m.triangles_at(x) for x in t[part]]), t[part])
@@ -161,6 +161,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("out", type=Path)
     parser.add_argument("--seeds", type=int, nargs=2, default=(0, 1000))
+    parser.add_argument("--times", type=int, default=TIMES, help="at which each morph is checked")
     arguments = parser.parse_args()
     lines = arguments.out.read_text().splitlines() if arguments.out.exists() else []
     done = {json.loads(line)["seed"] for line in lines}
@@ -169,7 +170,7 @@ def main() -> None:
         warnings.simplefilter("error")
         for seed in range(*arguments.seeds):
             if seed not in done:
-                row = tried(seed)
+                row = tried(seed, arguments.times)
                 file.write(json.dumps(row) + "\n")
                 file.flush()
                 counts[row["result"]] = counts.get(row["result"], 0) + 1

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import tween
 from tween import Morph, Triangulation, area_matrix, area_rank, frame_variance, gallery, morph, remesh, verify
 from tween.choices import PATHS
-from tween.errors import GuaranteeError, MotionError, TweenError
+from tween.errors import GuaranteeError, MotionError, TriangulationError, TweenError
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 CLOSE = 10.0 ** -np.arange(3.0, 18.0)
@@ -93,7 +93,7 @@ def shrinking_fan(by: float) -> tuple[Triangulation, Triangulation]:
 
 @pytest.mark.parametrize("by", [1e-2, 1e-4])
 def test_the_metric_fan_keeps_its_budget_where_a_base_shrinks_a_millionfold(by: float) -> None:
-    m = morph(*shrinking_fan(by), path="metric", guarantee=True)
+    m = morph(*shrinking_fan(by), path="metric", guarantee=True, placement="root")
     assert first_failure(m, np.unique([*np.linspace(0, 1, 501), *(1 - 10.0 ** -np.linspace(0, 12, 500))])) is None
 
 
@@ -198,3 +198,16 @@ def test_a_similarity_of_both_shapes_moves_the_morph_and_changes_nothing(path: s
         here = morph(S, T, path=path, strategy=strategy).at(times)
         there = morph(S @ turn + step, T @ turn + step, path=path, strategy=strategy).at(times)
         np.testing.assert_allclose(there, here @ turn + step, rtol=0, atol=1e-9 * np.ptp(there))
+
+
+def test_what_moves_too_far_within_a_moment_is_refused_rather_than_shown() -> None:
+    with pytest.raises(GuaranteeError, match=r"close to t = 1: within 1e-07 a vertex moves by 0\.002 of the width"):
+        morph(*shrinking_fan(1e-2), path="metric")
+
+
+def test_ends_that_are_given_as_triangles_are_validated() -> None:
+    points = np.array([[0, 0], [1, 0], [1, 1], [0.2, 0.1]])
+    folded = Triangulation(points, [[0, 1, 2], [0, 2, 3]])
+    turned_over = folded.moved(np.array([[0, 0], [1, 0], [1, 1], [0.8, 0.2]]))
+    with pytest.raises(TriangulationError, match="triangle"):
+        morph(folded, turned_over)

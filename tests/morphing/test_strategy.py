@@ -30,7 +30,7 @@ from tween import (
     triangulate,
 )
 from tween.choices import PATHS, Path, Root
-from tween.errors import IncompatibleError
+from tween.errors import GuaranteeError, IncompatibleError
 from tween.gallery import curve, fan, letter, names, random_disk
 from tween.geometry.dual_tree import disk_center
 from tween.geometry.predicates import orient2d
@@ -544,7 +544,7 @@ def test_along_the_other_paths_the_root_matters(path) -> None:
     assert np.abs(scale * other - first).max() > 1e-3 * first.max()
 
 
-# What "auto" does where there is no match
+# What "auto" does where there is no match, or no guarantee for it
 
 
 @pytest.fixture
@@ -570,3 +570,45 @@ def test_between_large_convex_polygons_auto_flips_rather_than_fills_the_memory()
     m = morph(wide, egg, path="slide", guarantee=False)
     assert m.events
     np.testing.assert_array_equal(m(1.0), m.target.points)
+
+
+def refusing(kinds: int, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Refuse the guarantee of the first morphs that are made, so many; returns the words, to be filled."""
+    said: list[str] = []
+    given = Morph.guaranteed
+
+    def guaranteed(m: Morph) -> Morph:
+        if len(said) < kinds:
+            said.append(f"refusal {len(said)}, {len(m.events)} flips")
+            raise GuaranteeError(said[-1])
+        return given(m)
+
+    monkeypatch.setattr(Morph, "guaranteed", guaranteed)
+    return said
+
+
+@pytest.mark.parametrize("refused", [1, 2])
+def test_auto_takes_the_next_strategy_where_a_guarantee_is_refused(
+    refused: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pair, strategies = (curve("arrow"), letter("c")), ["matched", "common", "paper"]
+    expected = morph(*pair, strategy=strategies[refused])
+    said = refusing(refused, monkeypatch)
+    found = morph(*pair)
+    assert len(said) == refused
+    np.testing.assert_array_equal(found.frames(5), expected.frames(5))
+    assert bool(found.events) == (refused == 2)
+
+
+def test_where_every_strategy_is_refused_the_first_refusal_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    said = refusing(3, monkeypatch)
+    with pytest.raises(GuaranteeError, match="refusal 0, 0 flips"):
+        morph(curve("arrow"), letter("c"))
+    assert len(said) == 3
+
+
+def test_a_strategy_that_was_asked_for_is_not_left_for_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    said = refusing(1, monkeypatch)
+    with pytest.raises(GuaranteeError):
+        morph(curve("arrow"), letter("c"), strategy="matched")
+    assert len(said) == 1

@@ -11,6 +11,7 @@ from tween.errors import GuaranteeError, MotionError
 from tween.geometry.predicates import EXACT_RANGE
 from tween.morphing.alignment import Alignment
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
+from tween.morphing.incompatible.clock import CLOSE, LEAP, largest_leap
 from tween.morphing.incompatible.flow import Event
 from tween.triangulating.compatibility import match_rows
 
@@ -228,7 +229,7 @@ class Morph:
         return turned
 
     def guaranteed(self) -> "Morph":
-        """Prove that every array that `at` returns bounds an immersed disk, see `.guarantee`.
+        """Prove that every array that `at` returns bounds an immersed disk, see `.guarantee`, and that none leaps.
 
         Returns
         -------
@@ -238,15 +239,24 @@ class Morph:
         Raises
         ------
         GuaranteeError
-            Where that cannot be proved: when, at which vertex or triangle, and why.
+            Where that cannot be proved: when, at which vertex or triangle, and why; and where a vertex moves by more
+            than 0.001 of the width within 1e-7 of an end or a flip.
         """
         ends = self.source, self.target
+        for T in ends:  # shapes between are proved, those at 0 and 1 are as they were given
+            T.validate()
         areas = [float(T.areas.sum()) for T in ends]
         offset = max(float(np.abs(T.points).max()) for T in ends)
         found = self._motion.first_doubt(Placing(offset, min(areas), max(areas)))
         if isinstance(found, Doubt):
             raise GuaranteeError(self._in_words(found))
         self._snaps = (1.0 - found[1], 1.0 - found[0]) if self._backwards else found
+        mark, leap = largest_leap(self.at, (0.0, *(event.time for event in self.events), 1.0))
+        if leap > LEAP:
+            raise GuaranteeError(
+                f"no guarantee close to t = {_moment(mark)}: within {CLOSE:.0e} a vertex moves by {leap:.1g} of the "
+                "width, which people would see as a jump; another path or strategy may do without"
+            )
         return self
 
     def _in_words(self, doubt: Doubt) -> str:

@@ -8,7 +8,8 @@ where the caller wants it the other way: so it is symmetric to the last bit, how
 `paper_morph` does not.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -28,7 +29,7 @@ from tween.choices import (
     Shifts,
     Strategy,
 )
-from tween.errors import IncompatibleError
+from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import (
@@ -41,7 +42,7 @@ from tween.morphing.alignment import (
 )
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.incompatible.clock import Clock
+from tween.morphing.incompatible.clock import LEAP, Clock, largest_leap
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, shared_edge
 from tween.morphing.incompatible.pivots import pivot_shift
@@ -58,6 +59,8 @@ Shape = Triangulation | Curve | ArrayLike
 # Where no match is complete, what "auto" takes upon itself in search of a common triangulation, some seconds each.
 _MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
 _MOST_PAIRS = 2**17  # in one joint table
+
+_ROUNDS = 3  # of distributing time anew, where a motion would leap
 
 _BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
 _BY_BUDGETS = "proved in doubles: no triangle turns over, and the angles at every vertex add up to less than 2 pi"
@@ -110,7 +113,8 @@ def morph(
         that there is none of all vertices, flips do the rest.  "common": pivots matched, or else any renumbering, and
         the least distorting triangulation that is then valid in both.  "paper": pivots matched, remeshed
         triangulations, flips (Section 6).  "auto": two triangulations that are compatible keep their triangles;
-        otherwise "matched" where that needs no flips, or else "common" where that is possible, or else "paper".
+        otherwise "matched" where that needs no flips, or else "common" where that is possible, or else "paper"; with
+        `guarantee` the first of these for which it can be given.
     placement : {"steady", "root"}
         How large and where each shape is: by `.placement`, so that area and centre change linearly and nothing
         turns without need; or by the root triangle, as in the paper.
@@ -137,9 +141,14 @@ def morph(
         Where a curve bounds no immersed disk; the message says which of the two, and why.
     IncompatibleError
         Where `strategy` is "common" and there is no common triangulation; where landmarks allow no match.
+    GuaranteeError
+        Where the guarantee cannot be given: when, at which vertex or triangle, and why.
 
     Notes
     -----
+    A morph without flips runs in the time of its path; but with `guarantee`, where a triangle that is nearly flat at an
+    end would open in no time, at an even pace instead, as one with flips always does.
+
     Every triangle in force stays counter-clockwise at all times.  That alone does not make every shape
     the boundary of an immersed disk, as the paper has it: angles around a vertex may add up to more than
     2 pi on the way.  With `guarantee` they do not.
@@ -164,12 +173,11 @@ def morph(
         strategy = "paper"
     if strategy in ("auto", "matched"):
         found = match(source, target, landmarks)
-        if found.complete or strategy == "matched" or landmarks is not None:
+        if strategy == "matched" or landmarks is not None:
             return _in_order(_from_match(found), choices)
-    first, second, *origins = equal_counts(source, target)
-    if comes_later(first, origins[0], second, origins[1]):
-        return _between(_aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
-    return _between(_aligned(strategy, first, second, origins), choices)
+    if strategy == "auto":
+        return _first_guaranteed(source, target, found, choices)
+    return _unmatched(strategy, source, target, choices)
 
 
 def paper_morph(
@@ -336,6 +344,30 @@ def _in_order(alignment: Alignment, choices: _Choices) -> Morph:
 # Correspondence
 
 
+def _first_guaranteed(source: Shape, target: Shape, found: Match, choices: _Choices) -> Morph:
+    """What "auto" gives: the first strategy that is possible, and whose guarantee can be given.
+
+    Where none can, the first refusal is told: that of the morph which people would want most.
+    """
+    attempts: list[Callable[[], Morph]] = [lambda: _in_order(_from_match(found), choices)] if found.complete else []
+    attempts += [partial(_unmatched, strategy, source, target, choices) for strategy in ("auto", "paper")]
+    refusals = []
+    for attempt in attempts:
+        try:
+            return attempt()
+        except GuaranteeError as error:
+            refusals.append(error)
+    raise refusals[0]
+
+
+def _unmatched(strategy: Strategy, source: Shape, target: Shape, choices: _Choices) -> Morph:
+    """Morph without a match, from the one of the two shapes that comes first."""
+    first, second, *origins = equal_counts(source, target)
+    if comes_later(first, origins[0], second, origins[1]):
+        return _between(_aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
+    return _between(_aligned(strategy, first, second, origins), choices)
+
+
 def _aligned(
     strategy: Strategy, first: Triangulation, second: Triangulation, origins: list[NDArray[np.int64]]
 ) -> Alignment:
@@ -399,18 +431,30 @@ def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts)
 class _Compatible:
     """One leg, no flips, as a `Motion`."""
 
-    def __init__(self, leg: Leg, pace: Pace) -> None:
-        self._leg, self._clock = leg, Clock([leg.at]) if pace == "speed" else None
+    def __init__(self, leg: Leg) -> None:
+        self._leg = leg
         self.stages = [(0.0, leg.source.triangles)]
         self.events: list[Event] = []
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._leg.at(t if self._clock is None else self._clock.places(t)[1])
+        return self._leg.at(t)
 
     def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
-        found = self._leg.first_doubt(placing)
-        if self._clock is None:
-            return found
+        return self._leg.first_doubt(placing)
+
+
+class _Paced:
+    """A `Motion` without flips, run by a clock."""
+
+    def __init__(self, motion: Motion, clock: Clock) -> None:
+        self._motion, self._clock = motion, clock
+        self.stages, self.events = motion.stages, motion.events
+
+    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self._motion.at(self._clock.places(t)[1])
+
+    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
+        found = self._motion.first_doubt(placing)
         first, last = self._clock.time(0, found[0]), self._clock.time(0, found[1])
         return found._replace(start=first, stop=last) if isinstance(found, Doubt) else (first, last)
 
@@ -426,8 +470,15 @@ def _moved(alignment: Alignment, choices: _Choices) -> Morph:
     """Move straight where the triangles are the same, and through flips where they are not."""
     if alignment.crossings > 0:
         return _gradual(alignment, choices)
-    motion = _placed(_Compatible(_straight(alignment, choices), choices.pace), choices)
-    return Morph(motion, alignment, proof=choices.proof)
+    motion: Motion = _Compatible(_straight(alignment, choices))
+    if choices.pace == "speed":
+        motion = _Paced(motion, Clock([motion.at]))
+    placed = _placed(motion, choices)
+    rounds = _ROUNDS if choices.guarantee else 0
+    while rounds and largest_leap(placed.at, (0.0, 1.0))[1] > 0.5 * LEAP:
+        motion, rounds = _Paced(motion, Clock([placed.at], close=True)), rounds - 1
+        placed = _placed(motion, choices)  # anew, as the turns of what leapt are known only now
+    return Morph(placed, alignment, proof=choices.proof)
 
 
 def _placed(motion: Motion, choices: _Choices) -> Motion:

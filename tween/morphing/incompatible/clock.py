@@ -10,12 +10,14 @@ span of time the root mean square of the vertices' ways is that share of the who
 Legend: ``share`` of a piece, 0 to 1; ``length`` root mean square of the ways of the vertices.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
+CLOSE, LEAP = 1e-7, 1e-3  # so close to an end or a flip, a vertex that moves by more than that share of the width leaps
 _SAMPLES = 33  # of a piece to begin with
+_CLOSE_TO_END = 2.0 ** -np.arange(6.0, 36.0)
 _ROUNDS = 30  # of halving
 _UNEVEN = 0.03  # by which halves may differ, as a share of both
 _SHORT = 1e-5  # of the whole; what is shorter is not halved
@@ -33,6 +35,8 @@ class Clock:
         From shares, shape (k,), to shapes, shape (k, n, 2).
     spans : ndarray of float64, shape (pieces,), optional
         The time that each piece gets, in which it runs by its own; without it the vertices always move equally fast.
+    close : bool
+        Whether to look closely at the ends of pieces, where a motion may leap unnoticed between two samples.
 
     Attributes
     ----------
@@ -44,18 +48,24 @@ class Clock:
         self,
         pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]],
         spans: NDArray[np.float64] | None = None,
+        close: bool = False,
     ) -> None:
         if spans is None:
-            spans = self._measured(pieces)
+            spans = self._measured(pieces, close)
         else:
             self._shares = self._ways = [np.array([0.0, 1.0])] * len(pieces)
         ends = np.concatenate([[0.0], np.cumsum(spans)]) / spans.sum()
         ends[-1] = 1.0
         self.starts: list[float] = ends.tolist()
 
-    def _measured(self, pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]]) -> NDArray[np.float64]:
+    def _measured(
+        self, pieces: list[Callable[[NDArray[np.float64]], NDArray[np.float64]]], close: bool
+    ) -> NDArray[np.float64]:
         """Measure the pieces, and give each time in proportion to its length."""
-        first = [_sampled(piece, np.linspace(0.0, 1.0, _SAMPLES)) for piece in pieces]
+        samples = np.linspace(0.0, 1.0, _SAMPLES)
+        if close:
+            samples = np.unique([*samples, *_CLOSE_TO_END, *(1.0 - _CLOSE_TO_END)])
+        first = [_sampled(piece, samples) for piece in pieces]
         whole = sum(length.sum() for _, length in first)
         measured = [_refined(piece, *sample, whole) for piece, sample in zip(pieces, first, strict=True)]
         whole = sum(length.sum() for _, length in measured)
@@ -103,6 +113,32 @@ class Clock:
         start, stop = self.starts[number : number + 2]
         passed = np.interp(share, self._shares[number], self._ways[number])
         return float(start + passed * (stop - start))
+
+
+def largest_leap(
+    at: Callable[[NDArray[np.float64]], NDArray[np.float64]], marks: Iterable[float]
+) -> tuple[float, float]:
+    """Find where a motion moves so fast that people see a jump: close to its ends, or to a flip.
+
+    Parameters
+    ----------
+    at : callable
+        From times, shape (k,), to shapes, shape (k, n, 2).
+    marks : iterable of float
+        Times beside which to look.
+
+    Returns
+    -------
+    mark, leap : float
+        The mark within 1e-7 of which a vertex moves most, and by which share of the width of both ends together.
+    """
+    width = np.ptp(at(np.array([0.0, 1.0])).reshape(-1, 2), axis=0).max()
+    found = 0.0, 0.0
+    for mark in np.unique(list(marks)).tolist():
+        shapes = at(np.clip(mark + np.array([-CLOSE, 0.0, CLOSE]), 0.0, 1.0))
+        leap = float((shapes.max(axis=0) - shapes.min(axis=0)).max() / width)
+        found = max(found, (mark, leap), key=lambda pair: pair[1])
+    return found
 
 
 def _sampled(
