@@ -10,10 +10,8 @@ where the caller wants it the other way: so it is symmetric to the last bit, how
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from tween.choices import (
     ORDERS,
@@ -30,59 +28,14 @@ from tween.choices import (
     Strategy,
 )
 from tween.errors import GuaranteeError, IncompatibleError
-from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import (
-    Alignment,
-    check_shifts,
-    common,
-    equal_counts,
-    least_distorted,
-    renumbered,
-)
-from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
-from tween.morphing.compatible.leg import Leg, root_triangle
-from tween.morphing.incompatible.clock import LEAP, Clock, largest_leap
-from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossings_by_shift, flip_sequence
-from tween.morphing.incompatible.flow import Event, Flow, shared_edge
-from tween.morphing.incompatible.pivots import pivot_shift
-from tween.morphing.incompatible.through import Through
+from tween.morphing.alignment import Alignment, check_shifts, equal_counts, renumbered
+from tween.morphing.correspondence import Shape, aligned, are_compatible, flipping_shift, from_match
+from tween.morphing.incompatible.flip_sequence import count_crossings
 from tween.morphing.matching.match import Match, match
-from tween.morphing.morph import Morph, Motion
-from tween.morphing.placement import Steady
+from tween.morphing.morph import Morph
+from tween.morphing.motions import Choices, between
 from tween.morphing.shape_order import comes_later
-from tween.triangulating.compatibility import compatible_shift, match_rows
-from tween.triangulating.flips import flip_in_place
-
-Shape = Triangulation | Curve | ArrayLike
-
-# Where no match is complete, what "auto" takes upon itself in search of a common triangulation, some seconds each.
-_MOST_RENUMBERED = 200  # vertices, for a joint table of every renumbering
-_MOST_PAIRS = 2**17  # in one joint table
-
-_ROUNDS = 3  # of distributing time anew, where a motion would leap
-
-_BY_ANGLES = "every angle changes linearly, so the sum at a vertex stays between those of the two ends"
-_BY_BUDGETS = "proved in doubles: no triangle turns over, and the angles at every vertex add up to less than 2 pi"
-
-
-class _Choices(NamedTuple):
-    """How a morph moves; `exchanged` says that the caller wants it from the target to the source."""
-
-    path: Path
-    guarantee: bool
-    placement: Placement
-    root: Root
-    order: Order = "sequential"
-    pace: Pace = "auto"
-    exchanged: bool = False
-
-    @property
-    def proof(self) -> str:
-        """Why every shape bounds an immersed disk, see `.compatible.guarantee`; a flip changes no sum of angles."""
-        if self.path == "angle" and not self.guarantee:
-            return _BY_ANGLES
-        return _BY_BUDGETS if self.guarantee else ""
 
 
 def morph(
@@ -168,13 +121,13 @@ def morph(
     )
     if landmarks is not None and strategy not in ("auto", "matched"):
         raise ValueError(f"landmarks are for the strategy 'matched', but strategy is {strategy!r}")
-    choices = _Choices(path, guarantee, placement, root, pace=pace)
-    if landmarks is None and strategy == "auto" and _are_compatible(source, target):
+    choices = Choices(path, guarantee, placement, root, pace=pace)
+    if landmarks is None and strategy == "auto" and are_compatible(source, target):
         strategy = "paper"
     if strategy in ("auto", "matched"):
         found = match(source, target, landmarks)
         if strategy == "matched" or landmarks is not None:
-            return _in_order(_from_match(found), choices)
+            return _in_order(from_match(found), choices)
     if strategy == "auto":
         return _first_guaranteed(source, target, found, choices)
     return _unmatched(strategy, source, target, choices)
@@ -238,8 +191,8 @@ def paper_morph(
     _check_words(path=(path, PATHS), order=(order, ORDERS), pace=(pace, PACES))
     check_shifts(shifts)
     first, second, *origins = equal_counts(source, target)
-    alignment = renumbered(first, second, *_flipping_shift(first, second, shifts), *origins)
-    return _between(alignment, _Choices(path, False, "root", root, order, pace))
+    alignment = renumbered(first, second, *flipping_shift(first, second, shifts), *origins)
+    return between(alignment, Choices(path, False, "root", root, order, pace))
 
 
 def morph_compatible(
@@ -287,7 +240,7 @@ def morph_compatible(
     if source.triangles is not target.triangles and not np.array_equal(source.canonical, target.canonical):
         raise IncompatibleError("the two triangulations have different triangles; tween.morph takes any two shapes")
     every = np.arange(len(source))
-    choices = _Choices(path, guarantee, placement, root, pace=pace)
+    choices = Choices(path, guarantee, placement, root, pace=pace)
     return _in_order(Alignment(source, target, 0, every, every, None, 0), choices)
 
 
@@ -324,7 +277,7 @@ def morph_as_numbered(
     _check_words(path=(path, PATHS), placement=(placement, PLACEMENTS), pace=(pace, PACES))
     every, crossings = np.arange(len(source)), count_crossings(source, target)
     alignment = Alignment(source, target, 0, every, every, None, crossings)
-    return _in_order(alignment, _Choices(path, guarantee, placement, root, pace=pace))
+    return _in_order(alignment, Choices(path, guarantee, placement, root, pace=pace))
 
 
 def _check_words(**given: tuple[str, Sequence[str]]) -> None:
@@ -333,23 +286,20 @@ def _check_words(**given: tuple[str, Sequence[str]]) -> None:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _in_order(alignment: Alignment, choices: _Choices) -> Morph:
+def _in_order(alignment: Alignment, choices: Choices) -> Morph:
     """Compute a morph from the one of the two shapes that comes first."""
     source, target, *origins = alignment.source, alignment.target, alignment.source_vertices, alignment.target_vertices
     if comes_later(source, origins[0], target, origins[1]):
-        return _between(alignment.exchanged(), choices._replace(exchanged=True))
-    return _between(alignment, choices)
+        return between(alignment.exchanged(), choices._replace(exchanged=True))
+    return between(alignment, choices)
 
 
-# Correspondence
-
-
-def _first_guaranteed(source: Shape, target: Shape, found: Match, choices: _Choices) -> Morph:
+def _first_guaranteed(source: Shape, target: Shape, found: Match, choices: Choices) -> Morph:
     """What "auto" gives: the first strategy that is possible, and whose guarantee can be given.
 
     Where none can, the first refusal is told: that of the morph which people would want most.
     """
-    attempts: list[Callable[[], Morph]] = [lambda: _in_order(_from_match(found), choices)] if found.complete else []
+    attempts: list[Callable[[], Morph]] = [lambda: _in_order(from_match(found), choices)] if found.complete else []
     attempts += [partial(_unmatched, strategy, source, target, choices) for strategy in ("auto", "paper")]
     refusals = []
     for attempt in attempts:
@@ -360,174 +310,9 @@ def _first_guaranteed(source: Shape, target: Shape, found: Match, choices: _Choi
     raise refusals[0]
 
 
-def _unmatched(strategy: Strategy, source: Shape, target: Shape, choices: _Choices) -> Morph:
+def _unmatched(strategy: Strategy, source: Shape, target: Shape, choices: Choices) -> Morph:
     """Morph without a match, from the one of the two shapes that comes first."""
     first, second, *origins = equal_counts(source, target)
     if comes_later(first, origins[0], second, origins[1]):
-        return _between(_aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
-    return _between(_aligned(strategy, first, second, origins), choices)
-
-
-def _aligned(
-    strategy: Strategy, first: Triangulation, second: Triangulation, origins: list[NDArray[np.int64]]
-) -> Alignment:
-    """Bring two triangulations together without a match: by a common triangulation, or as the paper does."""
-    if strategy != "paper":
-        found = _common_shift(first, second, everywhere=strategy == "common")
-        if found is not None:
-            shift, shared, pivot = found
-            same = Triangulation(second.points, (shared.triangles + shift) % len(first))
-            return renumbered(shared, same, shift, pivot, *origins)
-        if strategy == "common":
-            raise IncompatibleError(
-                "strategy 'common' is impossible: the curves have no common triangulation under any of the "
-                f"{len(first)} renumberings; strategy='matched' inserts vertices, and strategy='paper' flips on the way"
-            )
-    return renumbered(first, second, *_flipping_shift(first, second, "pivots"), *origins)
-
-
-def _common_shift(
-    first: Triangulation, second: Triangulation, everywhere: bool
-) -> tuple[int, Triangulation, int | None] | None:
-    """The (shift, triangulation, pivot) of a common triangulation, None where none was found.
-
-    Unless it is to be looked for everywhere, where that takes long it is not.
-    """
-    shift, pivot = pivot_shift(first, second)
-    shared = common(first, second.rolled(shift), None if everywhere else _MOST_PAIRS)
-    if shared is not None:
-        return shift, shared, pivot
-    found = least_distorted(first, second) if everywhere or len(first) <= _MOST_RENUMBERED else None
-    return (*found, None) if found is not None else None
-
-
-def _are_compatible(source: Shape, target: Shape) -> bool:
-    """Whether both are triangulations, and the same but for a renumbering."""
-    if not (isinstance(source, Triangulation) and isinstance(target, Triangulation) and len(source) == len(target)):
-        return False
-    return compatible_shift(source, target) is not None
-
-
-def _from_match(found: Match) -> Alignment:
-    crossings = 0 if found.complete else count_crossings(found.source, found.target)
-    return Alignment(found.source, found.target, 0, found.source_vertices, found.target_vertices, None, crossings)
-
-
-def _flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts) -> tuple[int, int | None]:
-    """The (shift, pivot) under which two triangulations are to be flipped into each other."""
-    if isinstance(shifts, int):
-        return shifts % len(first), None
-    compatible = compatible_shift(first, second)
-    if compatible is not None:
-        return compatible, None
-    if shifts == "pivots":
-        return pivot_shift(first, second)
-    return int(np.argmin(crossings_by_shift(first, second, np.arange(len(first))))), None
-
-
-# Motion
-
-
-class _Compatible:
-    """One leg, no flips, as a `Motion`."""
-
-    def __init__(self, leg: Leg) -> None:
-        self._leg = leg
-        self.stages = [(0.0, leg.source.triangles)]
-        self.events: list[Event] = []
-
-    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._leg.at(t)
-
-    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
-        return self._leg.first_doubt(placing)
-
-
-class _Paced:
-    """A `Motion` without flips, run by a clock."""
-
-    def __init__(self, motion: Motion, clock: Clock) -> None:
-        self._motion, self._clock = motion, clock
-        self.stages, self.events = motion.stages, motion.events
-
-    def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self._motion.at(self._clock.places(t)[1])
-
-    def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
-        found = self._motion.first_doubt(placing)
-        first, last = self._clock.time(0, found[0]), self._clock.time(0, found[1])
-        return found._replace(start=first, stop=last) if isinstance(found, Doubt) else (first, last)
-
-
-def _between(alignment: Alignment, choices: _Choices) -> Morph:
-    """The morph; in the caller's numbers already where a guarantee cannot be given, and that is said."""
-    m = _moved(alignment, choices)
-    m = m.reversed() if choices.exchanged else m
-    return m.guaranteed() if choices.guarantee else m
-
-
-def _moved(alignment: Alignment, choices: _Choices) -> Morph:
-    """Move straight where the triangles are the same, and through flips where they are not."""
-    if alignment.crossings > 0:
-        return _gradual(alignment, choices)
-    motion: Motion = _Compatible(_straight(alignment, choices))
-    if choices.pace == "speed":
-        motion = _Paced(motion, Clock([motion.at]))
-    placed = _placed(motion, choices)
-    rounds = _ROUNDS if choices.guarantee else 0
-    while rounds and largest_leap(placed.at, (0.0, 1.0))[1] > 0.5 * LEAP:
-        motion, rounds = _Paced(motion, Clock([placed.at], close=True)), rounds - 1
-        placed = _placed(motion, choices)  # anew, as the turns of what leapt are known only now
-    return Morph(placed, alignment, proof=choices.proof)
-
-
-def _placed(motion: Motion, choices: _Choices) -> Motion:
-    return motion if choices.placement == "root" else Steady(motion, keeps_size=choices.path == "area")
-
-
-def _straight(alignment: Alignment, choices: _Choices) -> Leg:
-    first = alignment.source
-    second = first.moved(alignment.target.points)
-    root = choices.root
-    if not isinstance(root, str) and choices.exchanged:
-        root = _row(root_triangle(root, alignment.target), alignment.target.triangles, first.triangles)
-    return Leg(first, second.points, choices.path, root_triangle(root, first, second), choices.guarantee)
-
-
-def _gradual(alignment: Alignment, choices: _Choices) -> Morph:
-    """Run both flows, and pass through the end of the one that is done with its flips first."""
-    path, order, guarantee = choices.path, choices.order, choices.guarantee
-    shapes = alignment.source, alignment.target
-    sequences = flip_sequence(*shapes), flip_sequence(*shapes[::-1])
-    roots = _flow_roots(shapes, sequences, choices)
-    flows = [Flow(shapes[i], sequences[i], path, roots[i], order, guarantee) for i in (0, 1)]
-    through = 1 if flows[1].end <= flows[0].end else 0
-    motion = Through(shapes[1 - through], flows[through], path, roots[1 - through], guarantee, choices.pace)
-    return Morph(
-        _placed(motion, choices), alignment, (flows[0].end, flows[1].end), choices.proof, backwards=through == 0
-    )
-
-
-def _flow_roots(
-    shapes: tuple[Triangulation, Triangulation], sequences: tuple[FlipSequence, FlipSequence], choices: _Choices
-) -> list[Root]:
-    """The root of each flow; a triangle given by number is followed through the flips to the other shape."""
-    if isinstance(choices.root, str):
-        return [choices.root, choices.root]
-    here = int(choices.exchanged)
-    row = root_triangle(choices.root, shapes[here])
-    there = _row(row, _after(shapes[here], sequences[here]), shapes[1 - here].triangles)
-    return [there, row] if choices.exchanged else [row, there]
-
-
-def _row(row: int, triangles: NDArray[np.int64], others: NDArray[np.int64]) -> int:
-    """Where a row of triangles stands among the same triangles in another order."""
-    return int(np.flatnonzero(match_rows(triangles, others) == row)[0])
-
-
-def _after(T: Triangulation, flips: FlipSequence) -> NDArray[np.int64]:
-    """The triangles after the flips, the pairs in their rows."""
-    triangles, twin = T.triangles.copy(), T.twin.copy()
-    for t, u in flips.rows.tolist():
-        flip_in_place(triangles, twin, shared_edge(twin, t, u))
-    return triangles
+        return between(aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
+    return between(aligned(strategy, first, second, origins), choices)
