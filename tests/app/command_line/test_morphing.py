@@ -214,8 +214,8 @@ def test_a_keyframe_that_bounds_no_disk_is_named_with_its_number_and_file(run: R
 
 
 def test_all_keyframes_are_brought_to_the_place_of_the_first(run: Run) -> None:
-    for k in (1, 2):
-        write_points(f"{k}.csv", 10.0**k * gallery.curve("arrow").points)
+    for k, name in ((1, "arrow"), (2, "convex")):
+        write_points(f"{k}.csv", 10.0**k * gallery.curve(name).points)
     assert run("morph gallery:ell 1.csv 2.csv gallery:ell -o m.npz --frames 4 --fit area")[0] == 0
     areas = [tween.Curve(frame).area for frame in io.read_frames("m.npz")[0]]
     assert areas == pytest.approx([gallery.curve("ell").area] * 4)
