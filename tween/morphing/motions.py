@@ -114,7 +114,7 @@ def _moved(alignment: Alignment, choices: Choices) -> Morph:
     if choices.pace == "speed":
         motion = _Paced(motion, Clock([motion.at]))
     placed = _placed(motion, choices)
-    rounds = _ROUNDS if choices.guarantee else 0
+    rounds = _ROUNDS if choices.guarantee and choices.pace == "auto" else 0
     while rounds and largest_leap(placed.at, (0.0, 1.0))[1] > 0.5 * LEAP:
         motion, rounds = _Paced(motion, Clock([placed.at], close=True)), rounds - 1
         placed = _placed(motion, choices)  # anew, as the turns of what leapt are known only now
