@@ -4,16 +4,14 @@ Nothing here computes, and nothing that computes is imported, so that help comes
 example, and compare the choices with what the library has.
 """
 
-import re
 from collections.abc import Callable
-from math import inf
 from types import SimpleNamespace
 from typing import Any
 
 import click
 
-from tween.app.command_line import completion
-from tween.choices import FITS, PACES, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
+from tween.app.command_line import completion, words
+from tween.choices import FITS, PACES, PATHS, PLACEMENTS, STRATEGIES, STYLES
 
 _SHAPE = (
     "FILE is a .svg, .csv, .json, .geojson, .npz or .npy file, - for standard input, the data of an SVG path, or "
@@ -38,66 +36,26 @@ def _run(name: str, options: dict[str, Any]) -> int:
         return status
 
 
-# The words that options take
-
-
-def _landmark(text: str) -> tuple[int, ...]:
-    if not re.fullmatch(r"[0-9]+(:[0-9]+)+", text):
-        raise click.BadParameter(f"expected the number of a vertex of each curve, such as 12:40, found {text!r}")
-    return tuple(map(int, text.split(":")))
-
-
-def _root(text: str) -> str | int:
-    if text in ROOT_RULES:
-        return text
-    try:
-        return int(text)
-    except ValueError:
-        raise click.BadParameter(f"expected {', '.join(ROOT_RULES)} or a whole number, found {text!r}") from None
-
-
-def _size(text: str) -> int | tuple[int, int] | str:
-    if text == "small":
-        return text
-    found = re.fullmatch(r"([0-9]{2,4})(?:x([0-9]{2,4}))?", text)
-    sides = [int(side) for side in found.groups() if side] if found else []
-    if not sides or not all(SIZES[0] <= side <= SIZES[1] for side in sides):
-        expected = f"pixels from {SIZES[0]} to {SIZES[1]}, such as 480 or 640x480, or small"
-        raise click.BadParameter(f"expected {expected}, found {text!r}")
-    return sides[0] if len(sides) == 1 else (sides[0], sides[1])
-
-
-def _length(text: str, least: float = 0.0, included: bool = False) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = -1.0
-    if not (least < value < inf or (included and value == least)):
-        raise click.BadParameter(f"expected a {'number, 0 or more' if included else 'positive number'}, found {text!r}")
-    return value
-
-
-def _distance(text: str) -> float:
-    return _length(text, included=True)
-
-
 # Options that several commands have
 
 _file = click.argument("file", shell_complete=completion.shapes)
 _select = click.option("--select", metavar="ID", help="Which curve of a file that has several.")
 _json = click.option("--json", is_flag=True, help="Print one JSON object.")
 _pen = click.option(
-    "--pen", type=_length, metavar="WIDTH", help="Take the file for a line, drawn with a pen that wide, in its units."
+    "--pen",
+    type=words.length,
+    metavar="WIDTH",
+    help="Take the file for a line, drawn with a pen that wide.",
 )
 _tolerance = click.option(
     "--tolerance",
-    type=_length,
+    type=words.length,
     metavar="LENGTH",
     help="How far polygons may lie from the curves of an SVG; a thousandth of their size unless given.",
 )
 _smooth = click.option(
     "--smooth",
-    type=_distance,
+    type=words.distance,
     metavar="LENGTH",
     help="Clean what is read from files, moving nothing by more than that, see tween clean.",
 )
@@ -182,11 +140,11 @@ tween info arrow.csv --smooth 0.02""",
 @_output("File to write: .svg, .csv, .json, .geojson, .npz or .npy.", required=True)
 @click.option(
     "--smooth",
-    type=_distance,
+    type=words.distance,
     metavar="LENGTH",
     help="How far anything may be moved, in the units of the file; a twentieth of the size unless given.",
 )
-@click.option("--close", type=_distance, metavar="LENGTH", help="How near the ends have to come to be joined.")
+@click.option("--close", type=words.distance, metavar="LENGTH", help="How near the ends have to come to be joined.")
 @click.option(
     "--vertices", type=click.IntRange(3, 100_000), metavar="N", help="How many vertices the curve shall have."
 )
@@ -263,7 +221,7 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
 )
 @click.option(
     "--root",
-    type=_root,
+    type=words.root,
     default="disk-center",
     metavar="WHERE",
     help="Where the motion starts: disk-center (unless given), tree-center or the number of a triangle of the first.",
@@ -278,7 +236,7 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
 @click.option(
     "--landmark",
     "landmarks",
-    type=_landmark,
+    type=words.landmark,
     multiple=True,
     metavar="I:J",
     help="Vertex I of the first has to become vertex J of the second (and K of the third, I:J:K); may be given several "
@@ -317,11 +275,13 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
     help="How many there are, with those on the way back; 60 on the way there, or 30 a leg, unless given.",
 )
 @click.option("--fps", type=click.IntRange(1, 100), default=25, metavar="F", help="Frames a second (25).")
-@click.option("--size", type=_size, default="480", metavar="S", help="Longer side in pixels (480), 640x480, or small.")
+@click.option(
+    "--size", type=words.size, default="480", metavar="S", help="Longer side in pixels (480), 640x480, or small."
+)
 @click.option("--style", type=click.Choice(STYLES), help="What is drawn (triangles).")
 @click.option("--fill", metavar="COLOR", help="Of the disk.")
 @click.option("--stroke", metavar="COLOR", help="Of its outline; or none.")
-@click.option("--width", type=_length, metavar="PIXELS", help="Of its outline.")
+@click.option("--width", type=words.length, metavar="PIXELS", help="Of its outline.")
 @click.option("--background", default="white", metavar="COLOR", help="Or transparent (white).")
 @click.option("--ease", metavar="CURVE", help="As in CSS: linear, ease-in-out, ..., or cubic-bezier(x1, y1, x2, y2).")
 @click.option("--no-ease", is_flag=True, help="Start and end at full speed.")
