@@ -17,6 +17,7 @@ NOTEBOOKS := $(wildcard notebooks/*.ipynb)
 # Numba's cache does not notice a change in another file, so each state of the sources has a cache of its own.
 SOURCES_SUM := $(shell find tween -name '*.py' -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 cat | cksum | cut -d' ' -f1)
 export NUMBA_CACHE_DIR := $(CURDIR)/.cache/numba/$(SOURCES_SUM)
+WARM := .cache/numba/$(SOURCES_SUM)/.warm
 # Figures go to files, so no screen is needed; a notebook's go into the notebook, and with Agg they would silently be lost.
 export MPLBACKEND := Agg
 INLINE := MPLBACKEND=module://matplotlib_inline.backend_inline
@@ -59,17 +60,22 @@ $(STAMP): pyproject.toml $(PACKAGES)
 	@$(BIN)/python -c "import matplotlib.font_manager"
 	@touch $@
 
-setup: $(STAMP) ## Make the environment .venv with the packages of requirements.lock
+# Once for all, on all cores: otherwise every process compiles what it needs for itself, at the same time as the others.
+$(WARM): $(STAMP)
+	@$(BIN)/tween warmup
+	@touch $@
+
+setup: $(STAMP) $(WARM) ## Make the environment .venv with the packages of requirements.lock, and compile
 	@echo "setup: $(VENV) is ready"
 
-reproduce: $(STAMP) ## Recompute the studies, the figures, the notebooks and the report
+reproduce: $(STAMP) $(WARM) ## Recompute the studies, the figures, the notebooks and the report
 	@$(BIN)/python -m experiments.reproduce
 
-matching: $(STAMP) ## Recompute the study of matching on all pairs (long; an interrupted one goes on)
+matching: $(STAMP) $(WARM) ## Recompute the study of matching on all pairs (long; an interrupted one goes on)
 	@echo "matching: all pairs, every method; reproduce recomputes a sample of them"
 	@$(BIN)/python -m experiments.studies.matching
 
-grid: $(STAMP) ## Recompute the grid of Table 1 (long; an interrupted one goes on)
+grid: $(STAMP) $(WARM) ## Recompute the grid of Table 1 (long; an interrupted one goes on)
 	@echo "grid: every curve and pair, every setting; reproduce recomputes a sample of them"
 	@$(BIN)/python -m experiments.studies.grid
 
@@ -79,11 +85,11 @@ report: $(STAMP) ## Write results/report.html anew from what results/ holds
 article: $(STAMP) ## Set results/article.pdf, a replication report, from what results/ holds
 	@$(BIN)/python -m experiments.article
 
-notebooks: $(STAMP) ## Run every notebook in place
+notebooks: $(STAMP) $(WARM) ## Run every notebook in place
 	@echo "notebooks: running every notebook in place"
 	@$(INLINE) $(BIN)/python -m experiments.notebooks
 
-test: $(STAMP) ## Check style and types, then run the tests, doctests and notebooks
+test: $(STAMP) $(WARM) ## Check style and types, then run the tests, doctests and notebooks
 	@$(MAKE) lint
 	@echo "test: tests and doctests"
 	@$(BIN)/python -m pytest -n auto --doctest-modules tween tests
@@ -108,7 +114,7 @@ coverage: $(STAMP) ## Report the lines that the quick tests miss, with the kerne
 	@NUMBA_DISABLE_JIT=1 $(BIN)/python -m coverage run -m pytest -q --doctest-modules -m "not slow" tween tests
 	@$(BIN)/python -m coverage report
 
-bench: $(STAMP) ## Time tween beside its peers in one process
+bench: $(STAMP) $(WARM) ## Time tween beside its peers in one process
 	@echo "bench: timing"
 	@$(BIN)/python -m experiments.benchmarks.tasks
 	@$(BIN)/python -m experiments.benchmarks.scaling
