@@ -7,9 +7,9 @@ import zipfile
 
 import numpy as np
 
-from tween.io.svg import DEEPEST, MOST_ELEMENTS
-from tween.io.svg_path import MOST_POINTS
-from tween.io.whole_files import LARGEST_FILE
+from tween.io.formats.svg import DEEPEST, MOST_ELEMENTS
+from tween.io.formats.svg_path import MOST_POINTS
+from tween.io.formats.whole_files import LARGEST_FILE
 
 SQUARE = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
 

@@ -50,7 +50,7 @@ def test_imports_keep_the_contracts() -> None:
         ("geometry/curve.py", "from tween.triangulating.flips import remesh", "Folders import what lies below them"),
         ("geometry/curve.py", "import tween.plot.film as f", "Folders import what lies below them"),
         ("geometry/curve.py", "from ..io import svg", "Folders import what lies below them"),
-        ("io/svg.py", "def late():\n    from tween.plot import shapes", "Folders import what lies below them"),
+        ("io/formats/svg.py", "def late():\n    from tween.plot import shapes", "Folders import what lies below them"),
         ("gallery/curves.py", "import tween.measuring.metrics", "Folders import what lies below them"),
         ("surprise.py", "", "Folders import what lies below them"),
         ("gallery/curves.py", "import tween.triangulating.flips", "The gallery makes its curves"),
@@ -58,7 +58,7 @@ def test_imports_keep_the_contracts() -> None:
         ("geometry/curve.py", "from tween import Triangulation", "A name is imported from the module"),
         ("geometry/curve.py", "from .. import Triangulation", "A name is imported from the module"),
         ("geometry/predicates.py", "from tween.geometry.curve import Curve", "No circles"),
-        ("io/svg.py", "from experiments import store", "The library knows nothing of its studies"),
+        ("io/formats/svg.py", "from experiments import store", "The library knows nothing of its studies"),
         ("app/command_line/main.py", "from matplotlib import pyplot", "Only plot imports matplotlib"),
     ],
 )

@@ -6,7 +6,7 @@ from files import saved
 from malformed import svg
 
 from tween.errors import FileError, NotUsedWarning
-from tween.io.content import Outline, Pen
+from tween.io.formats.content import Outline, Pen
 from tween.io.outlines import contents, curve_of, label, pen_hint, read_outline, warn_of
 
 TRIANGLE = '<path id="{}" d="M0 0h1v1z"/>'

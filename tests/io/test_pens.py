@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tween.errors import CurveError
 from tween.gallery.generators import ribbon
-from tween.io.content import Pen
+from tween.io.formats.content import Pen
 from tween.io.pens import drawn
 from tween.triangulating.decomposition import decompose
 

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from malformed import MALFORMED, SQUARE, npy, npz, svg
 
 from tween.errors import CurveError, FileError, NotUsedWarning
+from tween.io.formats.svg_path import MOST_POINTS
 from tween.io.reading import read_curve, read_curves, read_stroke, stroke
-from tween.io.svg_path import MOST_POINTS
 from tween.triangulating.decomposition import decompose
 
 FEW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.io.played import csv_frames, html_frames, svg_frames
-from tween.io.readers import frames_of, parse_json, read_arrays
-from tween.io.whole_files import AnyPath, content_of, naming, suffix_of, write
-from tween.io.writers import csv_text, drawing, json_text, npz_bytes
+from tween.io.formats.played import csv_frames, html_frames, svg_frames
+from tween.io.formats.readers import frames_of, parse_json, read_arrays
+from tween.io.formats.whole_files import AnyPath, content_of, naming, suffix_of, write
+from tween.io.formats.writers import csv_text, drawing, json_text, npz_bytes
 from tween.measuring.playback import Playback
 from tween.morphing.morph import Morph
 

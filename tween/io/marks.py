@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike
 
 from tween.errors import FileError
 from tween.geometry.curve import Curve, as_curve
+from tween.io.formats.whole_files import AnyPath, naming
 from tween.io.outlines import contents, label
-from tween.io.whole_files import AnyPath, naming
 
 Marks = Mapping[str, tuple[float, float]]
 

@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from tween.errors import FileError, NotUsedWarning
 from tween.geometry.curve import Curve, without_repetitions
-from tween.io.content import Content, Outline
-from tween.io.readers import points_of, read_arrays, read_json
-from tween.io.svg import read_svg
-from tween.io.svg_path import MOST_POINTS, checked, flattened
-from tween.io.tables import read_csv
-from tween.io.whole_files import LARGEST_FILE, AnyPath, content_of, naming, suffix_of
+from tween.io.formats.content import Content, Outline
+from tween.io.formats.readers import points_of, read_arrays, read_json
+from tween.io.formats.svg import read_svg
+from tween.io.formats.svg_path import MOST_POINTS, checked, flattened
+from tween.io.formats.tables import read_csv
+from tween.io.formats.whole_files import LARGEST_FILE, AnyPath, content_of, naming, suffix_of
 
 _Floats = NDArray[np.float64]
 
@@ -101,7 +101,7 @@ def pen_hint(outline: Outline) -> str:
 
     Examples
     --------
-    >>> from tween.io.content import Pen
+    >>> from tween.io.formats.content import Pen
     >>> pen_hint(Outline("tail", np.zeros((2, 2)), Pen(8.0, alone=True)))
     "the pen of 'tail', 8 wide (--pen 8, or width=8 of tween.io.read_stroke, draws it)"
     """

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tween.errors import CurveError
 from tween.gallery.generators import ribbon
 from tween.geometry.curve import Curve, without_repetitions
-from tween.io.content import Pen
+from tween.io.formats.content import Pen
 from tween.triangulating.decomposition import decompose
 
 _HALF_CIRCLE = 12  # points of a round end

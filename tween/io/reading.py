@@ -9,10 +9,10 @@ import numpy as np
 from tween.errors import CurveError, FileError
 from tween.gallery.generators import ribbon
 from tween.geometry.curve import Curve, without_repetitions
+from tween.io.formats.svg_path import checked, flattened
+from tween.io.formats.whole_files import AnyPath, naming
 from tween.io.outlines import contents, curve_of, label, read_outline, warn_of
 from tween.io.pens import drawn
-from tween.io.svg_path import checked, flattened
-from tween.io.whole_files import AnyPath, naming
 
 
 def read_curve(path: AnyPath, select: str | int | None = None, tolerance: float | None = None) -> Curve:

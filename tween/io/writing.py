@@ -12,8 +12,8 @@ from pathlib import Path
 
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
-from tween.io.whole_files import AnyPath, write
-from tween.io.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
+from tween.io.formats.whole_files import AnyPath, write
+from tween.io.formats.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
 
 
 def write_curve(path: AnyPath, curve: Curve) -> Path:

@@ -25,7 +25,7 @@ from PIL import Image
 from tween.choices import Style
 from tween.easing import AnyEase
 from tween.errors import FileError
-from tween.io import whole_files
+from tween.io.formats import whole_files
 from tween.morphing.morph import Morph
 from tween.morphing.sequence import Sequence
 from tween.plot import moving_svg, video

@@ -13,7 +13,7 @@ from matplotlib.patches import PathPatch, Polygon
 from numpy.typing import NDArray
 
 from tween.colors import FAILURE, INK, PIVOT, TREE
-from tween.io.whole_files import AnyPath, write
+from tween.io.formats.whole_files import AnyPath, write
 from tween.plot.shapes import outline_of
 from tween.triangulating.repair.explanation import Explanation
 

@@ -17,7 +17,7 @@ from string import Template
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.io.writers import changed_triangles
+from tween.io.formats.writers import changed_triangles
 from tween.measuring.certificate import verify
 from tween.plot.film import Film
 

@@ -19,8 +19,8 @@ from tween.app.playground.hand_drawn import MOST_COUNTED
 from tween.errors import FileError, NotSelfOverlappingError, TweenError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
+from tween.io.formats.whole_files import naming
 from tween.io.outlines import label
-from tween.io.whole_files import naming
 from tween.measuring.certificate import Certificate, verify
 from tween.measuring.find_triangles import find_triangles
 from tween.triangulating.costs import smallest_angle

@@ -17,10 +17,10 @@ from tween.app.command_line import curve_names
 from tween.app.command_line.stages import say
 from tween.errors import FileError, NotSelfOverlappingError
 from tween.geometry.curve import Curve
-from tween.io.content import Outline
+from tween.io.formats.content import Outline
+from tween.io.formats.whole_files import naming
 from tween.io.outlines import curve_of, label, pen_hint, read_outline
 from tween.io.pens import drawn
-from tween.io.whole_files import naming
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.repair.cleaning import clean
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from strategies import exact_doubles
 
 from tween.errors import FileError
-from tween.io.tables import read_csv
+from tween.io.formats.tables import read_csv
 
 points = st.lists(st.tuples(exact_doubles, exact_doubles), min_size=1, max_size=6)
 

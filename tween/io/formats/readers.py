@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import FileError
-from tween.io.content import Content, Outline
-from tween.io.geojson import positions, read_geojson
-from tween.io.tables import text_of
-from tween.io.whole_files import LARGEST_FILE
+from tween.io.formats.content import Content, Outline
+from tween.io.formats.geojson import positions, read_geojson
+from tween.io.formats.tables import text_of
+from tween.io.formats.whole_files import LARGEST_FILE
 
 _Floats = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tween.io.content import Outline, Pen, counted
+from tween.io.formats.content import Outline, Pen, counted
 
 
 @pytest.mark.parametrize(

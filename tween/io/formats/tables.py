@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tween.errors import FileError
-from tween.io.content import Content, Outline
+from tween.io.formats.content import Content, Outline
 
 _WORD = re.compile(r"\W*[^\W\d]")
 _NUMBERS = re.compile(r"(?i)\W*(i|n|no|nr|id|index|number|vertex|point|row|)\W*")  # names of a column that counts rows

@@ -3,7 +3,7 @@
 import pytest
 
 from tween.errors import FileError
-from tween.io.geojson import positions, read_geojson
+from tween.io.formats.geojson import positions, read_geojson
 
 RING = [[0, 0], [4, 0], [0, 4], [0, 0]]
 

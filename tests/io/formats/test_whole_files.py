@@ -14,9 +14,9 @@ from malformed import SQUARE
 from tween import gallery
 from tween.errors import CurveError, FileError
 from tween.geometry.curve import Curve
+from tween.io.formats.whole_files import LARGEST_FILE, content_of, naming, write
 from tween.io.frames import write_frames
 from tween.io.reading import read_curve, read_curves, read_stroke
-from tween.io.whole_files import LARGEST_FILE, content_of, naming, write
 from tween.io.writing import write_curve, write_triangulation
 from tween.morphing.strategy import morph
 from tween.triangulating.decomposition import triangulate
@@ -75,9 +75,11 @@ def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch, what, failing):
     path = saved(tmp_path, "shape.npz", b"what was there")
     write = writers()[what]
     if failing == "rename":
-        monkeypatch.setattr("tween.io.whole_files.os.replace", fail)
+        monkeypatch.setattr("tween.io.formats.whole_files.os.replace", fail)
     elif failing == "write":
-        monkeypatch.setattr("tween.io.whole_files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False)
+        monkeypatch.setattr(
+            "tween.io.formats.whole_files.open", lambda name, mode: _FullDisk(name, "xb"), raising=False
+        )
     else:
         for module in ("writing", "frames"):
             monkeypatch.setattr(f"tween.io.{module}.npz_bytes", fail)

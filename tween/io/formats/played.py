@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import FileError
-from tween.io.svg import elements
-from tween.io.svg_path import numbers
+from tween.io.formats.svg import elements
+from tween.io.formats.svg_path import numbers
 
 _HEADER = "frame,time,vertex,x,y"
 _POLYGON = re.compile(r"M([^A-Za-z]*)(?:l([^A-Za-z]*))?[zZ]")  # from a place by steps, or places
@@ -31,7 +31,7 @@ def svg_frames(data: bytes) -> dict[str, Any]:
     Returns
     -------
     dict
-        "frames", "times" and, where they are written down, "triangles", as `tween.io.readers.frames_of` takes them.
+        "frames", "times" and, where they are written down, "triangles", as `.frames_of` takes them.
 
     Raises
     ------

@@ -5,7 +5,7 @@ import pytest
 from files import FIXTURES, named
 
 from tween.errors import FileError
-from tween.io.svg import MOST_ELEMENTS, read_svg
+from tween.io.formats.svg import MOST_ELEMENTS, read_svg
 
 IDENTITY = np.eye(3)
 

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tween.errors import FileError
-from tween.io.svg_path import checked, flattened, numbers, polygon, rectangle
+from tween.io.formats.svg_path import checked, flattened, numbers, polygon, rectangle
 
 IDENTITY = np.eye(3)
 

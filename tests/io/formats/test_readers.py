@@ -11,8 +11,8 @@ from malformed import SQUARE, npz
 from strategies import exact_doubles
 
 from tween.errors import FileError
+from tween.io.formats.readers import points_of, read_arrays, read_json
 from tween.io.frames import read_frames
-from tween.io.readers import points_of, read_arrays, read_json
 
 
 def test_frames_without_times_are_read(tmp_path):

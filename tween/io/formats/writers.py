@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.colors import EDGE, INK, SOURCE, as_hex
-from tween.io.svg_path import polygon
+from tween.io.formats.svg_path import polygon
 
 _Floats = NDArray[np.float64]
 

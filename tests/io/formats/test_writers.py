@@ -14,10 +14,10 @@ from hypothesis.extra.numpy import arrays
 
 from tween import gallery, triangulate
 from tween.colors import SOURCE
-from tween.io.readers import points_of, read_arrays, read_json
-from tween.io.svg import read_svg
-from tween.io.tables import read_csv
-from tween.io.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
+from tween.io.formats.readers import points_of, read_arrays, read_json
+from tween.io.formats.svg import read_svg
+from tween.io.formats.tables import read_csv
+from tween.io.formats.writers import csv_text, drawing, geojson_text, json_text, npy_bytes, npz_bytes, obj_text
 
 
 def test_a_drawing_is_a_small_picture_with_the_shape_inside():
