@@ -70,6 +70,8 @@ def interrupted(folder: Path, *words: str, at: str) -> tuple[int, str]:
     """Interrupt a command when it says what it is doing; returns the exit status and what it said after that."""
     command = [sys.executable, "-m", "tween", *words]
     pipe = subprocess.PIPE
+    # what runs in the background of a shell ignores interrupts, and so would its children
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with subprocess.Popen(command, cwd=folder, stdout=pipe, stderr=pipe, text=True, start_new_session=True) as process:
         assert process.stderr
         while at not in process.stderr.readline():

@@ -34,7 +34,7 @@ from tween.errors import GuaranteeError, IncompatibleError
 from tween.gallery import curve, fan, letter, names, random_disk
 from tween.geometry.dual_tree import disk_center
 from tween.geometry.predicates import orient2d
-from tween.morphing import strategy
+from tween.morphing import correspondence, strategy
 from tween.morphing.strategy import morph_compatible
 
 ELL = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -557,7 +557,7 @@ def no_match(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_of_many_vertices_auto_tries_one_correspondence(monkeypatch: pytest.MonkeyPatch) -> None:
     pair = curve("arrow"), letter("c")  # common triangulations, but not as the pivots have it
     assert not morph(*pair).events
-    monkeypatch.setattr(strategy, "_MOST_RENUMBERED", 20)
+    monkeypatch.setattr(correspondence, "_MOST_RENUMBERED", 20)
     assert morph(*pair).events
     assert not morph(*pair, strategy="common").events
 
