@@ -50,7 +50,10 @@ def warmup(options: Options) -> int:
     jobs = min(options.jobs or os.cpu_count() or 1, len(TASKS))
     context = multiprocessing.get_context("spawn")  # what was forked would share locks with the threads of numba
     with ProcessPoolExecutor(jobs, context, initializer=_leave_interrupts_to_the_parent) as workers:
+        # workers are started by the first task, and hear what they heard at birth: an interrupt is not for them
+        heard = signal.signal(signal.SIGINT, signal.SIG_IGN)
         tasks = [workers.submit(run, name) for name in TASKS]
+        signal.signal(signal.SIGINT, heard)
         try:
             with click.progressbar(length=len(tasks), label="compiling kernels", file=sys.stderr) as bar:
                 for task in as_completed(tasks):
