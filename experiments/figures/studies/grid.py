@@ -57,7 +57,7 @@ def table_1_factor() -> Figure:
         for ax, rtol in zip(line, ("1e-4", "1e-6", "1e-9"), strict=True):
             _by_shape(ax, np.exp(factors(rows[rows.path == path], f"AR_{rtol}")), shapes)
             ax.set_title(f"{path}, tolerance {rtol}")
-    axes[0, 0].set(xscale="log", yscale="log", ylim=(0.4, 6.2), xlim=(0.95, 45))
+    axes[0, 0].set(xscale="log", yscale="log", ylim=(0.33, 6.2), xlim=(0.95, 45))
     _plain_ticks(axes[0, 0], [1, 3, 10, 30], [0.5, 1, 2, 4])
     figure.supxlabel("isoperimetric ratio, length² / (4 π area): 1 for a circle", fontsize=9)
     figure.supylabel("AR, arbitrary / remeshed", fontsize=9)
