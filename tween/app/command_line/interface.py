@@ -295,6 +295,29 @@ def _morph(**options: Any) -> int:
 
 
 @command_line.command(
+    "play",
+    short_help="Open a playground in the browser, to draw, match and morph in.",
+    help="Open a playground in the browser: draw two curves, or choose or open them, and see one become the other.\n\n"
+    f"{_SHAPE}  It is what the playground begins with.  Only this machine can reach the page, and only with the token "
+    "in its address.  Ctrl-C ends it.  It needs the extra play: pip install '.[play]' in the project's folder.",
+    epilog=_examples(
+        """
+tween play
+tween play gallery:arrow
+tween play drawing.svg --no-browser --port 8866""",
+        "Exit status: 0 ended by Ctrl-C, 2 bad input or usage.",
+    ),
+)
+@click.argument("file", required=False, shell_complete=completion.shapes)
+@_select
+@click.option("--port", type=click.IntRange(1, 65535), metavar="P", help="Where to listen; any free port unless given.")
+@click.option("--browser/--no-browser", default=True, help="Open a browser (unless switched off).")
+@_reading
+def _play(**options: Any) -> int:
+    return _run("play", options)
+
+
+@command_line.command(
     "certify",
     short_help="Check exactly whether what a file plays bounds disks.",
     help="Check exactly whether what a file plays bounds immersed disks, at every instant.\n\n"
