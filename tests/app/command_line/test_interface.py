@@ -136,6 +136,11 @@ def test_no_option_is_understood_by_its_beginning() -> None:
         parsed("morph", "a.csv b.csv -o c.gif --fram 3")
 
 
+def test_commands_are_listed_as_they_are_wanted(run: Run) -> None:
+    listed = re.findall(r"^  ([a-z]+)  +[A-Z]", run("--help")[1].partition("Commands:")[2], re.MULTILINE)
+    assert listed == ["info", "clean", "triangulate", "morph", "play", "certify", "warmup", "gallery"]
+
+
 def test_every_command_is_a_function_of_commands() -> None:
     assert [name for name in COMMANDS if name and not callable(getattr(commands, name, None))] == []
     assert sorted(commands.__all__) == sorted(name for name in COMMANDS if name)

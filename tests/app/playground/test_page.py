@@ -64,6 +64,11 @@ def test_the_notebook_shows_the_curve_and_saves_in_the_current_folder(
     assert Path(folder) == tmp_path
 
 
+def test_the_kernel_is_reached_by_files_where_their_names_are_short_enough() -> None:
+    assert served._takes_sockets(Path("/tmp/tween_play_12345678")) == (sys.platform != "win32")
+    assert not served._takes_sockets(Path("/var/folders") / ("a" * 40))
+
+
 def test_the_command_line_of_the_browser_does_not_hold_the_token(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -305,6 +310,10 @@ def test_keys_do_what_the_pointer_does(page: Any) -> None:
     assert target.get_attribute("aria-label") == "To: field to draw in"
     page.keyboard.press("Control+z")
     page.locator(".tween-target .tween-words", has_text="47 vertices").wait_for()
+    words(page, "morph")
+    page.locator(".tween-morph canvas").press("ArrowRight")
+    page.locator(".tween-choices select option:checked", has_text="triangle ").wait_for(state="attached")
+    assert words(page, "morph").startswith("Every shape bounds a disk")
 
 
 @browsing
@@ -345,15 +354,19 @@ def test_nothing_is_cut_or_covered(page: Any, width: int) -> None:
 
 # Names of what sticks out of the widget, and of each two that overlap.
 OVERLAPS = """root => {
-  const all = [...root.querySelectorAll("select, button, canvas, label, li, output, p, b")].filter((e) => e.offsetParent);
+  const tags = "select, button, canvas, label, li, output, p, b";
+  const all = [...root.querySelectorAll(tags)].filter((e) => e.offsetParent);
+  const boxes = all.map((e) => e.getBoundingClientRect());
   const name = (e) => `${e.tagName} ${e.className} ${e.textContent.slice(0, 20)}`;
   const r = root.getBoundingClientRect();
-  const out = (b) => b.left < r.left - 0.5 || b.right > r.right + 0.5 || b.bottom > r.bottom + 0.5;
-  const boxes = all.map((e) => e.getBoundingClientRect());
-  const faults = all.filter((e, i) => out(boxes[i]) || (e.matches("button") && e.scrollWidth > e.clientWidth + 1)).map(name);
-  const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 || a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
+  const outside = (a) => a.left < r.left - 0.5 || a.right > r.right + 0.5 || a.bottom > r.bottom + 0.5;
+  const beside = (a, b) => a.right <= b.left + 0.5 || a.bottom <= b.top + 0.5;
+  const cut = (e) => e.matches("button") && e.scrollWidth > e.clientWidth + 1;
+  const faults = all.filter((e, i) => outside(boxes[i]) || cut(e)).map(name);
   all.forEach((e, i) => all.slice(0, i).forEach((other, j) => {
-    if (!e.contains(other) && !other.contains(e) && !apart(boxes[i], boxes[j])) faults.push(`${name(other)} | ${name(e)}`);
+    const within = e.contains(other) || other.contains(e);
+    const apart = beside(boxes[i], boxes[j]) || beside(boxes[j], boxes[i]);
+    if (!within && !apart) faults.push(`${name(other)} | ${name(e)}`);
   }));
   return faults;
 }"""

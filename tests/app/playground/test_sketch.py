@@ -166,6 +166,18 @@ def test_rows_tell_a_moved_curve_that_turned_clockwise_from_what_it_was() -> Non
     assert triangle.choose({"name": "given"}, DISK)["source"]["rows"] is None
 
 
+def test_landmarks_keep_their_vertices_where_a_moved_curve_turns_clockwise() -> None:
+    sketch = Sketch([[0, 0], [4, 0], [4, 4], [0, 4]])
+    mirrored = {"of": {"name": "given"}, "moved": [[0, 900, 100], [1, 100, 100], [2, 100, 900], [3, 900, 900]]}
+    sketch.choose(mirrored, {"name": "given"})
+    film = sketch.move({"landmarks": [[1, 0]]})
+    m = sketch.morph
+    assert film["valid"] and m is not None
+    source, target = m.source.points[film["marks"][0]], m.target.points[film["marks"][0]]
+    np.testing.assert_allclose(sketch.source.placement.forth([source]), [100, 100])
+    np.testing.assert_allclose(target - m.target.points.min(axis=0), 0, atol=1e-9)
+
+
 def test_a_curve_of_ones_own_can_be_given() -> None:
     sketch = Sketch(gallery.letter("e"))
     assert sketch.choose({"name": "given"}, DISK)["source"]["ok"]

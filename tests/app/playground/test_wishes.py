@@ -127,6 +127,11 @@ def test_what_of_a_file_is_not_used_is_said() -> None:
         ("a.json", b"[[0, 0], [1, 0], [1, 0]]", "a.json: "),
         ("a.exe", b"MZ", "a.exe: "),
         ("", b"", "file"),
+        (
+            "a.csv",
+            b"".join(b"%d,%d\n" % (i, i * i) for i in range(5001)),
+            "a.csv: curve '0' has 5001 vertices, more than",
+        ),
     ],
 )
 def test_a_file_that_holds_no_curve_is_refused_in_one_line_that_names_it_and_no_folder(

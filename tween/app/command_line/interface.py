@@ -4,13 +4,13 @@ Nothing here computes, and nothing that computes is imported, so that help comes
 example, and compare the choices with what the library has.
 """
 
-from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
 import click
 
 from tween.app.command_line import completion, words
+from tween.app.command_line.options import as_json, file, output, pen, reading, select, several, tolerance, verbose
 from tween.choices import FITS, PACES, PATHS, PLACEMENTS, STRATEGIES, STYLES
 
 _SHAPE = (
@@ -18,8 +18,6 @@ _SHAPE = (
     "gallery:NAME, letter:X, pair:NAME/source, see tween gallery."
 )
 _STATUS = "Exit status: 0 done, or yes; 1 the answer is no; 2 bad input or usage."
-
-_Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
 def _examples(lines: str, *more: str) -> str:
@@ -36,55 +34,19 @@ def _run(name: str, options: dict[str, Any]) -> int:
         return status
 
 
-# Options that several commands have
-
-_file = click.argument("file", shell_complete=completion.shapes)
-_select = click.option("--select", metavar="ID", help="Which curve of a file that has several.")
-_json = click.option("--json", is_flag=True, help="Print one JSON object.")
-_pen = click.option(
-    "--pen",
-    type=words.length,
-    metavar="WIDTH",
-    help="Take the file for a line, drawn with a pen that wide.",
-)
-_tolerance = click.option(
-    "--tolerance",
-    type=words.length,
-    metavar="LENGTH",
-    help="How far polygons may lie from the curves of an SVG; a thousandth of their size unless given.",
-)
-_smooth = click.option(
-    "--smooth",
-    type=words.distance,
-    metavar="LENGTH",
-    help="Clean what is read from files, moving nothing by more than that, see tween clean.",
-)
-_verbose = click.option("-v", "--verbose", is_flag=True, help="Say what is being done, even without a terminal.")
-
-
-def _output(words: str, required: bool = False) -> _Decorator:
-    return click.option("-o", "--output", metavar="OUT", required=required, help=words, shell_complete=completion.files)
-
-
-def _options(*decorators: _Decorator) -> _Decorator:
-    """Several options as one; the help lists them in this order."""
-
-    def decorate(function: Callable[..., Any]) -> Callable[..., Any]:
-        for decorator in reversed(decorators):
-            function = decorator(function)
-        return function
-
-    return decorate
-
-
-_reading = _options(_tolerance, _pen, _smooth, _verbose)
-
-
 # The commands
+
+
+class _InOrder(click.Group):
+    """Lists its commands as they stand here, as they are wanted, and not by the alphabet."""
+
+    def list_commands(self, _: click.Context) -> list[str]:
+        return list(self.commands)
 
 
 @click.group(
     "tween",
+    cls=_InOrder,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=_examples(
         """
@@ -113,12 +75,12 @@ tween info pretzel.csv -o why.svg""",
         "Exit status: 0 it bounds an immersed disk, 1 it does not, 2 bad input or usage.",
     ),
 )
-@_file
-@_select
-@_output("Picture of what is wrong with the curve and what would mend it: .svg, .png or .pdf.")
-@_json
+@file
+@select
+@output("Picture of what is wrong with the curve and what would mend it: .svg, .png or .pdf.")
+@as_json
 @click.option("--count", is_flag=True, help="Count triangulations however many vertices there are.")
-@_reading
+@reading
 def _info(**options: Any) -> int:
     return _run("info", options)
 
@@ -135,9 +97,9 @@ tween info arrow.csv --smooth 0.02""",
         "Exit status: 0 the curve bounds an immersed disk, 1 it does not, 2 bad input or usage.",
     ),
 )
-@_file
-@_select
-@_output("File to write: .svg, .csv, .json, .geojson, .npz or .npy.", required=True)
+@file
+@select
+@output("File to write: .svg, .csv, .json, .geojson, .npz or .npy.", required=True)
 @click.option(
     "--smooth",
     type=words.distance,
@@ -148,8 +110,8 @@ tween info arrow.csv --smooth 0.02""",
 @click.option(
     "--vertices", type=click.IntRange(3, 100_000), metavar="N", help="How many vertices the curve shall have."
 )
-@_json
-@_options(_tolerance, _pen, _verbose)
+@as_json
+@several(tolerance, pen, verbose)
 def _clean(**options: Any) -> int:
     return _run("clean", options)
 
@@ -163,9 +125,9 @@ tween triangulate gallery:horseshoe
 tween triangulate gallery:horseshoe -o horseshoe.svg
 tween triangulate letter:e --random 1 -o e.obj"""),
 )
-@_file
-@_select
-@_output("File to write: .obj, .json, .npz or .svg.")
+@file
+@select
+@output("File to write: .obj, .json, .npz or .svg.")
 @click.option(
     "--random",
     type=click.IntRange(min=0),
@@ -173,7 +135,7 @@ tween triangulate letter:e --random 1 -o e.obj"""),
     help="Draw one of all, uniformly, instead of constrained Delaunay.",
 )
 @click.option("--arbitrary", is_flag=True, help="Take the first that the table of Shor and Van Wyk has.")
-@_reading
+@reading
 def _triangulate(**options: Any) -> int:
     if options["arbitrary"] and options["random"] is not None:
         raise click.UsageError("--arbitrary is not allowed with --random")
@@ -201,12 +163,12 @@ tween morph gallery:arrow gallery:ell -o frames.npz --path slide --no-guarantee 
 @click.argument("shapes", metavar="FILE FILE...", nargs=-1, required=True, shell_complete=completion.shapes)
 @click.option("--select-source", metavar="ID", help="Which curve of the first file.")
 @click.option("--select-target", metavar="ID", help="Which curve of the last file.")
-@_output(
+@output(
     "File to write: an animation (.gif, .png, .webp, .svg, .mp4, .html), pictures (frame_%04d.png), or the numbers "
     "(.npz, .json, .csv).",
     required=True,
 )
-@_reading
+@reading
 @click.option(
     "--path",
     type=click.Choice(PATHS),
@@ -309,10 +271,10 @@ tween play drawing.svg --no-browser --port 8866""",
     ),
 )
 @click.argument("file", required=False, shell_complete=completion.shapes)
-@_select
+@select
 @click.option("--port", type=click.IntRange(1, 65535), metavar="P", help="Where to listen; any free port unless given.")
 @click.option("--browser/--no-browser", default=True, help="Open a browser (unless switched off).")
-@_reading
+@reading
 def _play(**options: Any) -> int:
     return _run("play", options)
 
@@ -335,7 +297,7 @@ tween certify e_to_l.svg""",
 )
 @click.argument("file", metavar="FRAMES", shell_complete=completion.files)
 @click.option("--frames-only", is_flag=True, help="Say nothing about the time between frames.")
-@_json
+@as_json
 def _certify(**options: Any) -> int:
     return _run("certify", options)
 
@@ -362,7 +324,7 @@ tween gallery horseshoe -o horseshoe.svg
 tween gallery pair:e_to_l/target -o l.csv"""),
 )
 @click.argument("name", required=False, shell_complete=completion.names)
-@_output("File to write: .svg, .csv, .json, .geojson, .npz or .npy.")
-@_json
+@output("File to write: .svg, .csv, .json, .geojson, .npz or .npy.")
+@as_json
 def _gallery(**options: Any) -> int:
     return _run("gallery", options)

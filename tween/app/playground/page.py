@@ -8,6 +8,7 @@ nothing of the network.
 
 import importlib.util
 import json
+import os
 import secrets
 import socket
 import sys
@@ -28,6 +29,7 @@ HOST = "127.0.0.1"
 
 _NEEDED = ("voila", "anywidget", "ipywidgets")
 _EXTENSIONS = ["@voila-dashboards/widgets-manager8", "@jupyter-widgets/jupyterlab-manager", "anywidget"]
+_SOCKET, _LONGEST_SOCKET = 72, 103  # characters of a socket's name below a folder, and those that systems allow
 _TEMPLATE = Path(__file__).with_name("template")
 _PACKAGE_FOLDER = Path(__file__).resolve().parents[3]
 
@@ -165,9 +167,14 @@ def _settings(notebook: Path, port: int, token: str) -> Any:
             "Voila": server,
             "VoilaConfiguration": {"extension_allowlist": _EXTENSIONS, "file_allowlist": []},
             "KernelSpecManager": {"kernel_dirs": []},  # the Python that runs this, and no other
-            "KernelManager": {} if sys.platform == "win32" else {"transport": "ipc"},
+            "KernelManager": {"transport": "ipc"} if _takes_sockets(notebook.parent) else {},
         }
     )
+
+
+def _takes_sockets(folder: Path) -> bool:
+    """Whether sockets may lie below a folder: then others on this machine cannot reach the kernel either."""
+    return sys.platform != "win32" and len(os.fsencode(folder)) + _SOCKET <= _LONGEST_SOCKET
 
 
 def _open(address: str, folder: Path) -> None:

@@ -153,7 +153,8 @@ class Sketch:
         Parameters
         ----------
         options : mapping
-            Any of the keys of `OPTIONS`, whose values are the defaults.
+            Any of the keys of `OPTIONS`, whose values are the defaults.  Landmarks are pairs of vertices, which keep their
+        numbers when others are moved.
 
         Returns
         -------
@@ -166,7 +167,7 @@ class Sketch:
                 return _nothing(HINT if shape.curve is None else "No morph: both curves have to bound a disk.")
         wanted = OPTIONS | dict(options)
         try:
-            wanted["landmarks"] = [(i, j) for i, j in wanted["landmarks"]]
+            wanted["landmarks"] = [(_shown(self.source, i), _shown(self.target, j)) for i, j in wanted["landmarks"]]
             self.morph = self._morph(**wanted)
             return footage(self.morph, wanted["guarantee"], wanted["root"], wanted["landmarks"])
         except Exception as error:  # a person at a widget has no use for a traceback
@@ -232,6 +233,14 @@ class Sketch:
         """A power of two, which rounds nothing, by which the second becomes about as large as the first."""
         both_drawn = self.source.drawn and self.target.drawn
         return 1.0 if both_drawn else float(2.0 ** np.rint(0.5 * np.log2(first.curve.area / second.curve.area)))
+
+
+def _shown(shape: Shape, row: int) -> int:
+    """The vertex that had a number before vertices were moved: a curve that turned clockwise is numbered anew."""
+    if not shape.moved or shape.curve is None:
+        return row
+    found = np.flatnonzero(shape.curve.origin == row)
+    return int(found[0]) if len(found) else row
 
 
 def _triangulated(shape: Shape, rng: np.random.Generator | None) -> Triangulation:

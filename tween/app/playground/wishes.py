@@ -21,13 +21,16 @@ from numpy.typing import NDArray
 
 from tween import gallery
 from tween.app.playground.hand_drawn import Shape, from_stroke, judge
-from tween.errors import CurveError, NotUsedWarning, TweenError
+from tween.errors import CurveError, FileError, NotUsedWarning, TweenError
 from tween.geometry.curve import Curve
 from tween.io.reading import read_curves
 
 HINT = "Draw a closed curve here: press, go around, let go.  Or choose one above."
 SUFFIXES = (".svg", ".geojson", ".json", ".csv", ".npz", ".npy")
 """Of files that may be handed in."""
+
+MOST_VERTICES = 5000
+"""Of a curve that is handed in: more could not be moved while one waits."""
 
 _NOTHING = Shape(None, None, HINT)
 
@@ -164,6 +167,10 @@ def handed_in(name: str, data: bytes) -> tuple[dict[str, Curve], str]:
             curves = read_curves(path)
         except TweenError as error:
             raise type(error)(str(error).replace(f"{path}", plain)) from None
+    for own, curve in curves.items():
+        if len(curve) > MOST_VERTICES:
+            most = f"more than the {MOST_VERTICES} of a playground; the command tween morph takes it"
+            raise FileError(f"{plain}: curve {own[:40]!r} has {len(curve)} vertices, {most}")
     notes = "; ".join(str(warning.message).replace(f"{path}", plain) for warning in caught)
     if len(curves) == 1:
         return {plain: next(iter(curves.values()))}, notes

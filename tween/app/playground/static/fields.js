@@ -5,6 +5,9 @@ const STEP = 4; // of an arrow key, in units of the field
 
 const clamped = (number, box) => Math.max(0, Math.min(box, Math.round(number)));
 const nameOf = (wish) => (wish.of ? nameOf(wish.of) : wish.name || "draw");
+// Vertices go by the numbers that they had before any was moved: what is moved may turn clockwise, and is renumbered.
+const rowOf = ({ rows }, v) => (rows ? rows[v] : v);
+const shownAs = ({ rows }, row) => (rows ? rows.indexOf(row) : row);
 const shapeOf = (desk, which) => desk.model.get("shapes")[which] || { points: [], triangles: [], words: "" };
 
 // What is shown
@@ -35,11 +38,10 @@ function chosenInWords(desk, which) {
 }
 
 function pointsOf(desk, which) {
-  const { points, rows } = shapeOf(desk, which);
+  const shape = shapeOf(desk, which);
   const { moving } = desk;
-  if (moving?.which !== which) return points;
-  const v = rows ? rows.indexOf(moving.row) : moving.row;
-  return points.toSpliced(2 * v, 2, ...moving.place);
+  if (moving?.which !== which) return shape.points;
+  return shape.points.toSpliced(2 * shownAs(shape, moving.row), 2, ...moving.place);
 }
 
 function showField(desk, which) {
@@ -57,11 +59,14 @@ function showField(desk, which) {
 
 function showMarks(desk, which, ctx, points) {
   const side = FIELDS.indexOf(which);
+  const shape = shapeOf(desk, which);
   const at = (v) => [points[2 * v], points[2 * v + 1]];
   const pairs = desk.model.get("options").landmarks;
   const color = (k) => desk.setup.landmarks[k % desk.setup.landmarks.length];
-  pairs.forEach((pair, k) => drawMark(ctx, at(pair[side]), `${k + 1}`, color(k)));
-  if (desk.pending?.which === which) drawMark(ctx, at(desk.pending.v), `${pairs.length + 1}`, color(pairs.length));
+  pairs.forEach((pair, k) => drawMark(ctx, at(shownAs(shape, pair[side])), `${k + 1}`, color(k)));
+  if (desk.pending?.which === which) {
+    drawMark(ctx, at(shownAs(shape, desk.pending.row)), `${pairs.length + 1}`, color(pairs.length));
+  }
   const v = desk.chosen[which];
   if (v !== undefined && 2 * v < points.length) ring(ctx, at(v), INK, 8);
 }
@@ -131,9 +136,9 @@ function choose(desk, which, v) {
 // A vertex on its way: the wish is that of before, with the vertex in another place.
 function grasp(desk, which, v) {
   const { of, moved = [] } = desk.model.get(which).moved ? desk.model.get(which) : { of: desk.model.get(which) };
-  const { points, rows } = shapeOf(desk, which);
-  const place = points.slice(2 * v, 2 * v + 2);
-  desk.moving = { which, row: rows ? rows[v] : v, of, others: moved, place, steps: 0 };
+  const shape = shapeOf(desk, which);
+  const place = shape.points.slice(2 * v, 2 * v + 2);
+  desk.moving = { which, row: rowOf(shape, v), of, others: moved, place, steps: 0 };
 }
 
 function drag(desk, [x, y], tag) {
@@ -152,6 +157,7 @@ function wishOf({ of, others, row, place }) {
 
 function letGo(desk) {
   const { moving } = desk;
+  desk.tag = null;
   moving.done = say(desk, anyRoot, { [moving.which]: wishOf(moving) });
 }
 
@@ -163,18 +169,22 @@ function settle(desk) {
 
 // Landmarks
 
-function mark(desk, which, v) {
-  const side = FIELDS.indexOf(which);
+function pairAt(desk, which, v) {
+  const row = rowOf(shapeOf(desk, which), v);
   const pairs = desk.model.get("options").landmarks;
-  const there = pairs.findIndex((pair) => pair[side] === v);
+  return { row, pairs, there: pairs.findIndex((pair) => pair[FIELDS.indexOf(which)] === row) };
+}
+
+function mark(desk, which, v) {
+  const { row, pairs, there } = pairAt(desk, which, v);
   if (there >= 0) return unmark(desk, there);
   const { pending } = desk;
   if (!pending || pending.which === which) {
-    desk.pending = pending?.v === v ? null : { which, v };
+    desk.pending = pending?.row === row ? null : { which, row };
     return showShapes(desk);
   }
   desk.pending = null;
-  const pair = side ? [pending.v, v] : [v, pending.v];
+  const pair = which === "target" ? [pending.row, row] : [row, pending.row];
   ask(desk, { ...anyRoot, triangulation: "matched", landmarks: [...pairs, pair] });
 }
 
@@ -183,14 +193,14 @@ function unmark(desk, k) {
 }
 
 function remove(desk, which, v) {
-  const side = FIELDS.indexOf(which);
-  const pairs = desk.model.get("options").landmarks;
-  const there = pairs.findIndex((pair) => pair[side] === v);
+  const { pairs, there } = pairAt(desk, which, v);
   if (there >= 0) return unmark(desk, there);
-  const later = (pair) => pair.map((w, s) => (s === side && w > v ? w - 1 : w));
-  const n = shapeOf(desk, which).points.length / 2 - 1;
-  desk.chosen = { [which]: v % n };
-  ask(desk, { ...anyRoot, landmarks: pairs.map(later) }, { [which]: { of: desk.model.get(which), without: v } });
+  if (isDisk(desk, which)) return;
+  const shape = shapeOf(desk, which);
+  const renumbered = (row) => shownAs(shape, row) - (shownAs(shape, row) > v);
+  const landmarks = pairs.map((pair) => pair.map((row, side) => (FIELDS[side] === which ? renumbered(row) : row)));
+  desk.chosen = { [which]: v % (shape.points.length / 2 - 1) };
+  ask(desk, { ...anyRoot, landmarks }, { [which]: { of: desk.model.get(which), without: v } });
 }
 
 // Keys

@@ -12,6 +12,7 @@ const KEYS = [
   ["Enter", "make it a landmark"],
   ["Delete", "remove its landmark, or the vertex"],
   ["Esc", "let go"],
+  ["← →", "on the way, another root"],
   ["Ctrl Z", "undo (Shift: redo)"],
 ];
 
@@ -121,6 +122,7 @@ function panels(setup) {
     landmarks: attributes(make("ol", { className: "tween-landmarks" }), { "aria-label": "landmarks" }),
   };
   ui.morph.words.setAttribute("role", "status");
+  attributes(ui.morph.canvas, { role: "application", "aria-roledescription": "picture", tabindex: 0 });
   return { ...ui, time };
 }
 

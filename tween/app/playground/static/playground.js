@@ -150,7 +150,8 @@ function showFrame(desk) {
   ui.sums.words.textContent = known ? sumsInWords(footage.sums[f], footage.worst[f]) : "";
   for (const name of ["morph", "areas", "sums"]) {
     const words = known ? `${ui.time.textContent}: ${ui[name].words.textContent}` : "nothing yet";
-    ui[name].canvas.setAttribute("aria-label", `${ui[name].title}, ${words}`);
+    const keys = name === "morph" ? "; arrow keys choose the root" : "";
+    ui[name].canvas.setAttribute("aria-label", `${ui[name].title}, ${words}${keys}`);
   }
 }
 
@@ -193,6 +194,16 @@ function connectMorph(desk) {
   ui.morph.canvas.onclick = (event) => {
     const root = triangleAt(model.get("footage"), desk.frame, placeOf(event, ui.morph.canvas, box));
     if (root >= 0) ask(desk, { root });
+  };
+  ui.morph.canvas.onkeydown = (event) => {
+    const { order, root } = model.get("footage");
+    const along = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!along || !order) return;
+    event.preventDefault();
+    remember(desk, "root");
+    const asked = model.get("options").root;
+    const place = order.indexOf(typeof asked === "number" ? asked : root);
+    say(desk, { root: order[(place + along + order.length) % order.length] }, {});
   };
 }
 
