@@ -13,7 +13,7 @@ import subprocess
 import sys
 import urllib.parse
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -108,10 +108,10 @@ def playing(folder: Path, *words: str) -> Iterator[tuple[Any, str]]:
 def answer(address: str, path: str = "/", **headers: str) -> tuple[int, str, str]:
     """Ask for a page; returns the status, where it leads, and what it says."""
     parts = urllib.parse.urlsplit(address)
-    asked = http.client.HTTPConnection(parts.hostname, parts.port, timeout=120)
-    asked.request("GET", path, headers=headers)
-    got = asked.getresponse()
-    return got.status, got.getheader("Location", ""), got.read().decode()
+    with closing(http.client.HTTPConnection(parts.hostname or "", parts.port, timeout=120)) as asked:
+        asked.request("GET", path, headers=headers)
+        got = asked.getresponse()
+        return got.status, got.getheader("Location", ""), got.read().decode()
 
 
 @serving

@@ -153,8 +153,8 @@ class Sketch:
         Parameters
         ----------
         options : mapping
-            Any of the keys of `OPTIONS`, whose values are the defaults.  Landmarks are pairs of vertices, which keep their
-        numbers when others are moved.
+            Any of the keys of `OPTIONS`, whose values are the defaults.  Landmarks are pairs of vertices, which keep
+            their numbers when others are moved.
 
         Returns
         -------
