@@ -6,7 +6,6 @@ face, in static/, computes nothing but where the pointer is.
 
 import importlib.util
 import io
-import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -23,6 +22,7 @@ from tween.choices import PATHS
 from tween.geometry.curve import Curve
 from tween.plot import pixels
 from tween.plot.film import record
+from tween.plot.notebook import has_front_end
 
 _STATIC = Path(__file__).with_name("static")
 _FIRST = "loop"
@@ -58,18 +58,11 @@ def playground(curve: Curve | ArrayLike | None = None, live: bool | None = None)
     Morph(86 vertices, 0 flips)
     """
     missing = [name for name in ("anywidget", "ipywidgets") if importlib.util.find_spec(name) is None]
-    wanted = _has_front_end() if live is None else live
+    wanted = has_front_end() if live is None else live
     sketch = Sketch(curve)
     if wanted and not missing:
         return _widget()(sketch)
     return Picture(sketch, missing)
-
-
-def _has_front_end() -> bool:
-    """Whether the cell being run was sent by a person, who could be asked; a program that runs notebooks says no."""
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    message: dict[str, Any] = getattr(shell, "get_parent", dict)() or {}
-    return bool(message.get("content", {}).get("allow_stdin"))
 
 
 class Picture:
