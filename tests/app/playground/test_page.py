@@ -345,15 +345,20 @@ def test_nothing_is_cut_or_covered(page: Any, width: int) -> None:
 
 # Names of what sticks out of the widget, and of each two that overlap.
 OVERLAPS = """root => {
-  const all = [...root.querySelectorAll("select, button, canvas, label, li, output, p, b")].filter((e) => e.offsetParent);
+  const shown = (e) => e.offsetParent;
+  const all = [...root.querySelectorAll("select, button, canvas, label, li, output, p, b")].filter(shown);
   const name = (e) => `${e.tagName} ${e.className} ${e.textContent.slice(0, 20)}`;
   const r = root.getBoundingClientRect();
   const out = (b) => b.left < r.left - 0.5 || b.right > r.right + 0.5 || b.bottom > r.bottom + 0.5;
   const boxes = all.map((e) => e.getBoundingClientRect());
-  const faults = all.filter((e, i) => out(boxes[i]) || (e.matches("button") && e.scrollWidth > e.clientWidth + 1)).map(name);
-  const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 || a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
+  const cut = (e) => e.matches("button") && e.scrollWidth > e.clientWidth + 1;
+  const faults = all.filter((e, i) => out(boxes[i]) || cut(e)).map(name);
+  const before = (low, high) => low <= high + 0.5;
+  const beside = (a, b) => before(a.right, b.left) || before(b.right, a.left);
+  const apart = (a, b) => beside(a, b) || before(a.bottom, b.top) || before(b.bottom, a.top);
   all.forEach((e, i) => all.slice(0, i).forEach((other, j) => {
-    if (!e.contains(other) && !other.contains(e) && !apart(boxes[i], boxes[j])) faults.push(`${name(other)} | ${name(e)}`);
+    const within = e.contains(other) || other.contains(e);
+    if (!within && !apart(boxes[i], boxes[j])) faults.push(`${name(other)} | ${name(e)}`);
   }));
   return faults;
 }"""
