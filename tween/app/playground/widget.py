@@ -6,7 +6,6 @@ face, in static/, computes nothing but where the pointer is.
 
 import importlib.util
 import io
-import sys
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -21,6 +20,7 @@ from tween.geometry.curve import Curve
 from tween.io.reading import read_curve
 from tween.plot import pixels
 from tween.plot.film import record
+from tween.plot.notebook import has_front_end
 
 _STATIC = Path(__file__).with_name("static")
 _FIRST = "loop"
@@ -56,7 +56,7 @@ def playground(curve: Curve | ArrayLike | None = None, live: bool | None = None)
     Morph(86 vertices, 0 flips)
     """
     missing = [name for name in ("anywidget", "ipywidgets") if importlib.util.find_spec(name) is None]
-    wanted = _has_front_end() if live is None else live
+    wanted = has_front_end() if live is None else live
     sketch = Sketch(curve)
     if wanted and not missing:
         return _widget()(sketch)
@@ -78,13 +78,6 @@ def on_page(path: str | None = None, folder: str | Path = ".") -> Any:
     Playground
     """
     return _widget()(Sketch(None if path is None else read_curve(path)), folder, at_once=False)
-
-
-def _has_front_end() -> bool:
-    """Whether the cell being run was sent by a person, who could be asked; a program that runs notebooks says no."""
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    message: dict[str, Any] = getattr(shell, "get_parent", dict)() or {}
-    return bool(message.get("content", {}).get("allow_stdin"))
 
 
 class Picture:
