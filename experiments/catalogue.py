@@ -127,7 +127,7 @@ GRID = Step(
 # What is made of the studies' results.
 STEPS = (
     *STUDIES,
-    Step("claims", "The verdict on every claim", results=("claims.csv",), figures=("claims",), seconds=30),
+    Step("claims", "The verdict on every claim", results=("claims.csv",), figures=("verdicts",), seconds=30),
     Step("figures", "Figures", results=("figures/captions.json", "figures/drawn.json"), seconds=60),
     Step("figures.animations", "Animations", seconds=30),
     Step("notebooks", "Notebooks", seconds=60),

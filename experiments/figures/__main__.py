@@ -1,4 +1,4 @@
-"""Draw every figure, or those that are named: ``python -m experiments.figures figure_04_interiors claims``."""
+"""Draw every figure, or those that are named: ``python -m experiments.figures figure_04_interiors verdicts``."""
 
 import sys
 

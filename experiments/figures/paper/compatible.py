@@ -75,10 +75,10 @@ def common_size(source: Any, target: Any) -> tuple[Triangulation, Triangulation]
 @drawing(
     "figure_04_interiors",
     "Figure 4",
-    """An S becomes a loop, both of one area.  Top: every vertex along a straight line.  Middle: lengths of edges and
-    turning angles interpolated (Sederberg and others).  Bottom: triangles of the interior, path "slide": the arm
-    swings round.  Red: curves that bound no immersed disk, and triangles turned over.  The paper shows a top and
-    a bottom row, for two curves whose coordinates are unpublished.""",
+    """An S becomes a loop, both of one area.  Top: every vertex along a straight line.  Middle: lengths of edges
+    and turning angles interpolated (Sederberg and others).  Bottom: triangles of the interior, path "slide": the
+    arm swings around.  Red: curves that bound no immersed disk, and triangles turned over.  The paper shows a top
+    and a bottom row, for two curves whose coordinates are unpublished.""",
 )
 def figure_4() -> Figure:
     """A morph that takes the interior into account beside two that do not."""

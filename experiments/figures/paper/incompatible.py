@@ -96,10 +96,10 @@ def draw_diagonals(ax: Axes, T: Triangulation, known: Triangulation, width: floa
 @drawing(
     "figure_09_pivots",
     "Figure 9",
-    """The same two curves with matched pivots (below) and a quarter of the vertices away from that (above).
-    The dot is the source's pivot, at the end of the L: matched, it becomes an end of the ribbon, otherwise a place
-    in its middle.  Times are even, scales beside them.  A colour is a place along the source; it stays with the
-    vertices.  The paper's curves are unpublished; ours are stand-ins.""",
+    """The same two curves with matched pivots (below) and with a correspondence a quarter of the vertices away from
+    that (above). The dot is the source's pivot, at the end of the L: matched, it becomes an end of the ribbon,
+    otherwise a place in its middle.  Times are even, scales beside them.  A colour is a place along the source; it
+    stays with the vertices.  The paper's curves are unpublished; ours are stand-ins.""",
 )
 def figure_9() -> Figure:
     """The same two curves with and without matched pivots."""
@@ -135,7 +135,7 @@ def figure_10() -> Figure:
 
 
 @drawing(
-    "figure_10_cascade",
+    "figure_10_timeline",
     "Figure 10, continued",
     """When flips happen.  Above: the moment at which most flips of the arrow happen, colours as in Figure 10; the
     outlined quadrilateral becomes convex, and all others had been waiting for its flip; what they change is shaded
@@ -143,7 +143,7 @@ def figure_10() -> Figure:
     flips; the last twentieth of the flow is shaded.  The paper's curves and times are unpublished; ours are
     stand-ins.""",
 )
-def figure_10_cascade() -> Figure:
+def figure_10_timeline() -> Figure:
     """The largest cascade of one flow, and when the flips of all four pairs happen."""
     figure = plt.figure(figsize=(WIDTH, 4.6))
     cascade, timeline = bands(figure, [2.5, 2.1])

@@ -31,7 +31,7 @@ def by_section(claims: pd.DataFrame) -> dict[str, pd.DataFrame]:
 
 
 @drawing(
-    "claims",
+    "verdicts",
     "ours",
     """The verdict on each claim of the paper, by section.  The ledger has the claims in full, with their rules and
     numbers.""",

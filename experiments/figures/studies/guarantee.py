@@ -71,7 +71,7 @@ def guarantee_fan() -> Figure:
     "guarantee_study",
     "ours",
     """The share of morphs all of whose 61 frames bound an immersed disk, by the exact checker.  Open circles: the path
-    as it is; filled: with the guarantee; squares: what others use, on the same correspondence.  Numbers:
+    as it is; filled: with the guarantee; squares: published methods of others, on the same correspondence.  Numbers:
     morphs that failed.""",
 )
 def guarantee_study() -> Figure:

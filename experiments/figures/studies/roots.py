@@ -123,9 +123,10 @@ def _chosen(table: pd.DataFrame, rule: str, measure: str) -> pd.Series:
 @drawing(
     "root_heights",
     "Section 7, discussion",
-    """Rank of the area matrix against the height of the dual tree, a dot a root, path linear.  Left the comb, at three
-    tolerances; right all curves, at 1e-9.  The line, 2 height + 2 and no more than there are triangles, is a bound in
-    exact arithmetic (bars: the exact rank of some roots); what counts at a tolerance is far less, and grows slowly.""",
+    """Rank of the area matrix against the height of the dual tree, each dot is a root, path linear.  Left the comb,
+    at three tolerances; right all curves, at 1e-9.  The line, 2 height + 2 and no more than there are triangles, is
+    a bound in exact arithmetic (bars: the exact rank of some roots); what counts at a tolerance is far less, and
+    grows slowly.""",
 )
 def root_heights() -> Figure:
     """AR against the height of the tree, with the bound."""

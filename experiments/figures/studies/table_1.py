@@ -163,10 +163,11 @@ def _name_settings(ax: Axes, table: pd.DataFrame) -> None:
 @drawing(
     "table_1_slides",
     "Table 1",
-    """What the rank counts.  Left: how many triangles slide, that is, follow an arc, on the way to the disk; a dot a
-    curve; the remeshed triangulation has about twice as many as random ones.  Right: rank correlation, over the random
-    triangulations of a curve, between what is named above and each measure; a dot a curve, a bar at the median.  The
-    number of slides goes with the rank at tight tolerances; the thinnest angle has nothing to do with it.""",
+    """What the rank counts.  Left: how many triangles slide, that is, follow an arc, on the way to the disk; each
+    dot is a curve; the remeshed triangulation has about twice as many as random ones.  Right: rank correlation,
+    over the random triangulations of a curve, between what is named above and each measure; each dot is a curve,
+    the bar the median.  The number of slides goes with the rank at tight tolerances; the thinnest angle has nothing
+    to do with it.""",
 )
 def table_1_slides() -> Figure:
     table = pd.read_csv(RESULTS / "table_1_slides.csv")

@@ -99,7 +99,7 @@ FAULTS = [
     ("info eight.csv -o kept.gif", ".svg, .png, .pdf"),
     ("info eight.csv -o none/why.svg", "no folder"),
     ("info square.json --smooth nan", "0 or more"),
-    ("info -", "standard input: has no bytes"),
+    ("info -", "standard input: is empty"),
     ("info 'M0 0L1 0 1'", "path data M0 0L1 0 1"),
     ("morph - - -o kept.gif", "once only"),
     ("morph square.json gallery:ell -o kept.gif --fit size", "area"),

@@ -117,14 +117,14 @@ def _first(name: str) -> Axes:
 
 
 def test_every_claim_of_the_ledger_has_its_mark() -> None:
-    words = [text.get_text() for ax in DRAWINGS["claims"].make().axes for text in ax.texts]
+    words = [text.get_text() for ax in DRAWINGS["verdicts"].make().axes for text in ax.texts]
     ids = pd.read_csv(RESULTS / "claims.csv").id
     assert sorted(words) == sorted(name.replace("-", " ") for name in ids)
 
 
 def test_a_figure_that_is_none_is_refused_before_anything_is_drawn() -> None:
-    with pytest.raises(ValueError, match="there is no figure figure_12; there are claims, figure_01"):
-        save_some(["claims", "figure_12"])
+    with pytest.raises(ValueError, match="there is no figure figure_12; there are figure_01"):
+        save_some(["verdicts", "figure_12"])
 
 
 # The guard itself
