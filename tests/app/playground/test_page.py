@@ -266,7 +266,7 @@ def test_the_verdict_follows_a_vertex_that_is_dragged(page: Any) -> None:
     page.mouse.move(x, y)
     page.mouse.down()
     for k in range(8):
-        page.mouse.move(x + 0.05 * side * k, y + 0.04 * side * k)
+        page.mouse.move(x, y - 0.05 * side * k)  # through the other side of the arrow's tail
     page.locator(".tween-source .tween-words", has_text="Bounds no disk").wait_for()  # while it is held
     page.mouse.move(x + 0.02 * side, y)
     page.mouse.up()
