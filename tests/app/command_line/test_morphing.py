@@ -1,7 +1,6 @@
 """`tween morph` writes the morph of the library, between what it was given, and says what is known of it."""
 
 import json
-import re
 import shlex
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
