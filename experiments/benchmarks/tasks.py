@@ -39,6 +39,7 @@ from tween.choices import PATHS, Path, Placement
 from tween.geometry.predicates import orient2d, turn
 from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
+from tween.morphing.matching.simplify import simplify
 from tween.morphing.strategy import morph_compatible
 from tween.triangulating.costs import edge_length
 
@@ -184,8 +185,9 @@ def matches() -> list[Timing]:
 
 
 def _coarse(curve: Curve, n: int) -> NDArray[np.float64]:
-    """So many of a curve's vertices, evenly by number."""
-    return curve.points[np.round(np.arange(n) * len(curve) / n).astype(int)]
+    """A curve with so many of its vertices, that still bounds a disk."""
+    T = triangulate(curve)
+    return T.points[simplify(T, [n], np.zeros(len(T), dtype=np.bool_))[0].kept]
 
 
 def guarantees() -> list[Timing]:
