@@ -4,6 +4,7 @@ from typing import Any
 
 from joblib import Parallel, delayed
 
+from experiments.figures import article
 from experiments.figures.paper import compatible, gallery, immersions, incompatible
 from experiments.figures.registry import DRAWINGS, drawn, save
 from experiments.figures.studies import grid, guarantee, matching, quality, roots, scaling, table_1
@@ -11,6 +12,7 @@ from experiments.store import FIGURES, write_json
 
 __all__ = [
     "DRAWINGS",
+    "article",
     "compatible",
     "drawn",
     "gallery",
