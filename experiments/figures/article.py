@@ -76,7 +76,8 @@ def side_by_side(ax: Axes, m: Morph) -> float:
         moved = points - [points[:, 0].min() - x, (points[:, 1].min() + points[:, 1].max()) / 2]
         draw_layers(ax, Triangulation(moved, m.triangles_at(t)), place, bottom(m), outline=0.7)
         if m.alignment.pivot is not None and number in (0, len(TIMES) - 1):
-            ax.scatter(*moved[m.alignment.pivot], s=10, color=draw.PIVOT, linewidths=0, zorder=5)
+            px, py = moved[m.alignment.pivot]
+            ax.scatter(px, py, s=10, color=draw.PIVOT, linewidths=0, zorder=5)
         end = moved[:, 0].max()
         ax.text((x + end) / 2, below, time_label(t), ha="center", va="top", fontsize=7)
         x = end + gap
