@@ -23,6 +23,7 @@ TESTED_WITH = {
     "measuring/refinement.py": "measuring/test_certificate.py",
     "morphing/keyframes/legs.py": "morphing/test_sequence.py",
     "morphing/plan.py": "measuring/test_promise.py",
+    "app/command_line/options.py": "app/command_line/test_interface.py",
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
 }
