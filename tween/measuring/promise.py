@@ -272,16 +272,16 @@ def _base_squares(points: _Floats, corners: _Ints) -> Interval:
 
 def _other_frames(plan: Any, t: _Floats, shapes: _Floats) -> str:
     """Which frame has angles that its plan does not allow; empty where none has."""
-    if not len(t):
-        return ""
-    ends = _at_ends(plan)
-    own = np.asarray(plan.leg_time(t))
-    p, q = np.clip(own - _NEAR, 0.0, 1.0), np.clip(own + _NEAR, 0.0, 1.0)
-    tops, _ = _tops(plan, ends, p, q)
-    lows = _bottoms(plan, ends, p, q)
-    seen = _measured(shapes, plan.corners)
-    off = ((seen > tops.max(axis=0) + _ALIKE) | (seen < lows - _ALIKE)).any(axis=(0, 1))
-    return f"the frame at t = {t[off][0]:.6g} is not what it is made of" if off.any() else ""
+    ends, some = _at_ends(plan), max(1, _AT_ONCE // (3 * len(plan.corners)))
+    for i in range(0, len(t), some):
+        own = np.asarray(plan.leg_time(t[i : i + some]))
+        p, q = np.clip(own - _NEAR, 0.0, 1.0), np.clip(own + _NEAR, 0.0, 1.0)
+        tops, _ = _tops(plan, ends, p, q)
+        seen = _measured(shapes[i : i + some], plan.corners)
+        off = ((seen > tops.max(axis=0) + _ALIKE) | (seen < _bottoms(plan, ends, p, q) - _ALIKE)).any(axis=(0, 1))
+        if off.any():
+            return f"the frame at t = {t[i : i + some][off][0]:.6g} is not what it is made of"
+    return ""
 
 
 def _bottoms(plan: Any, ends: _Triangles, p: _Floats, q: _Floats) -> _Floats:
