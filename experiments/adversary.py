@@ -85,7 +85,7 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
         return kind, *fan(rng), {}
     T = one_end(rng, n)
     if kind == "disk":
-        return kind, T, T.on_disk(), {}
+        return kind, T, T.on_disk() if T.areas.min() > 0 else T, {}  # one that is not valid has no disk, and is refused
     if kind == "same":
         return kind, T, stretched(rng, stretched(rng, T)), {}
     m = int(rng.integers(5, 24)) if kind == "counts" else n

@@ -96,3 +96,7 @@ def test_what_is_found_through_flips_is_what_verify_finds_at_the_same_times() ->
 def test_seed_20219_of_which_rounding_leaves_but_noise_is_refused_and_not_looked_at_ever_more_closely() -> None:
     found = tried(20219, 200)
     assert (found["result"], "rounding may need" in found["words"]) == ("refused", True)
+
+
+def test_seed_22166_whose_triangles_overlap_has_no_disk_and_is_no_end() -> None:
+    assert tried(22166, 200)["result"] == "no ends"
