@@ -96,7 +96,7 @@ def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
     for name in ("loop.gif", "loop.svg"):
         status, out, err = run(f"{way} -o {name}")
         assert (status, err) == (0, "")
-        assert out.startswith("valid at every instant of playback\n")
+        assert out.startswith("valid at every time\n")
     with Image.open("loop.gif") as film:
         assert film.n_frames == 5  # there, and back
     assert ElementTree.parse("loop.svg").getroot().tag == "{http://www.w3.org/2000/svg}svg"
@@ -170,7 +170,7 @@ def test_points_of_the_same_name_in_two_geojson_files_are_landmarks(run: Run) ->
 def test_a_loop_of_several_curves_is_one_command(name: str, run: Run) -> None:
     status, out, err = run(f"morph letter:a letter:e letter:l letter:a -o {name} --certify --size 90 --frames 31")
     assert (status, err) == (0, "")
-    assert out.startswith("valid at every instant of playback\n")
+    assert out.startswith("valid at every time\n")
     assert "31 frames of" in out.splitlines()[-1]
     if name == "loop.gif":
         with Image.open(name) as film:

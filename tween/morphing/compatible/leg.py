@@ -26,6 +26,7 @@ from tween.morphing.compatible.guarantee.area_twists import AreaPath, kept_below
 from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, first_doubt
 from tween.morphing.compatible.layout import hang, placed, root_base
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
+from tween.morphing.plan import Plan
 
 _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
@@ -104,6 +105,17 @@ class Leg:
         laid, _ = self._lay_out(t, self.area_path if self._path == "area" else None)
         shapes: NDArray[np.float64] = placed(laid, self._corners[0], *self._centres, t, self.source.points, self.target)
         return shapes
+
+    def plan(self) -> Plan:
+        """Tell what the motion is made of.
+
+        Returns
+        -------
+        Plan
+            In the leg's own time.
+        """
+        limits = self.budgets.low, self.budgets.high
+        return Plan(0.0, 1.0, 0.0, 1.0, np.copy, self.source.points, self.target, self._corners, self._path, *limits)
 
     def first_doubt(
         self, placing: Placing, stop: float = 1.0, ends: tuple[bool, bool] = (True, True)
