@@ -39,6 +39,7 @@ from tween.morphing.compatible.paths import apex, third_angle
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
 RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
 _ROUNDING = 1e-9  # of a sum of angles
+_ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
 
 
 class Budgets(NamedTuple):
@@ -171,39 +172,103 @@ def proved_budgets(
 
     Notes
     -----
-    Most vertices are proved by bounds in a few long intervals; short ones, which are tighter, are looked at around the
-    others only.  Seldom more costly than 129 frames.
+    Most vertices are proved by bounds in a few long intervals; those are divided, which makes bounds tighter, only
+    around the others, and for them only where little is left.  Seldom more costly than 129 frames.
     """
-    few, many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
-    vertices, known = np.zeros(corners.max() + 1, dtype=np.bool_), np.zeros(len(corners), dtype=np.bool_)
-    rough, fine = bounds(few, np.arange(len(corners))), np.zeros((len(corners), 3, _TIMES - 1))
-
-    def touches(some: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        return np.asarray(some[corners].any(axis=1))
-
-    def proved(rows: NDArray[np.bool_], angles: NDArray[np.float64]) -> NDArray[np.float64]:
-        sums = vertex_sums(corners[rows], angles[rows], len(vertices)).max(axis=1)
-        return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
-
-    def reach_plain(angles: NDArray[np.float64], times: NDArray[np.float64], rows: NDArray[np.bool_]) -> None:
-        plain = (1 - times) * first[rows, :, None] + times * last[rows, :, None]
-        angles[rows] = np.maximum(angles[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
-
+    search = _Search(corners, first, last, bounds)
+    vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
     while True:
-        slack = proved(np.ones_like(known), rough)
-        near = touches(slack <= 0) & ~known
-        known |= near
-        fine[near] = bounds(many, np.flatnonzero(near))
-        slack = np.where(slack <= 0, proved(known, fine), slack)
+        slack = search.slack()
         over = (slack <= 0) & ~vertices
         if not over.any():
-            none = no_budgets(len(corners))
-            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, np.where(
-                vertices, np.nan, slack + _ROUNDING
+            budgets = (
+                budgets_at(vertices, corners, first, last, reserve) if vertices.any() else no_budgets(len(corners))
             )
+            return budgets, np.where(vertices, np.nan, slack + _ROUNDING)
         vertices |= over
-        for angles, times in ((rough, few), (fine, many)):
-            reach_plain(angles, times, touches(over))
+        search.reach_plain(vertices)
+
+
+class _Search:
+    """Bounds of all angles in long intervals of time, and in the parts of these where that does not do."""
+
+    def __init__(
+        self,
+        corners: NDArray[np.int64],
+        first: NDArray[np.float64],
+        last: NDArray[np.float64],
+        bounds: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.float64]],
+    ) -> None:
+        self._corners, self._first, self._last, self._bounds = corners, first, last, bounds
+        self._few, self._many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
+        self._rough, self._fine = bounds(self._few, np.arange(len(corners))), np.zeros((len(corners), 3, _TIMES - 1))
+        self._known = np.zeros((len(corners), _FEW_TIMES - 1), dtype=np.bool_)
+        self._plain: NDArray[np.bool_] = np.zeros(len(corners), dtype=np.bool_)
+
+    def slack(self) -> NDArray[np.float64]:
+        """What every vertex has left below 2 pi at least, but for roundings; shape (n,)."""
+        n = self._corners.max() + 1
+        slack = _left(vertex_sums(self._corners, self._rough, n))
+        doubtful = (slack <= 0).any(axis=1, keepdims=True) & (slack <= _ENOUGH)
+        if doubtful.any():
+            needed = doubtful[self._corners].any(axis=1)
+            self._refine(needed & ~self._known)
+            sums = vertex_sums_within(self._corners, self._fine, self._known, n)
+            slack = np.where(doubtful, _left(sums), slack)
+        return np.asarray(slack.min(axis=1))
+
+    def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
+        """Let the bounds of triangles with a budgeted corner reach the path "angle"."""
+        self._plain = np.asarray(vertices[self._corners].any(axis=1))
+        for angles, times in ((self._rough, self._few), (self._fine, self._many)):
+            _reach_plain(angles, self._plain, self._first, self._last, times)
+
+    def _refine(self, fresh: NDArray[np.bool_]) -> None:
+        """Bound the angles of triangles in the parts of long intervals, (m, long intervals)."""
+        parts = (_TIMES - 1) // (_FEW_TIMES - 1)
+        for f in np.flatnonzero(fresh.any(axis=0)).tolist():
+            rows, times = np.flatnonzero(fresh[:, f]), self._many[f * parts : (f + 1) * parts + 1]
+            angles = self._bounds(times, rows)
+            _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
+            self._fine[rows, :, f * parts : (f + 1) * parts] = angles
+        self._known |= fresh
+
+
+def _left(sums: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
+
+
+@njit(cache=True)
+def _reach_plain(angles, rows, first, last, times):
+    """Raise bounds of angles, (m, 3, k-1), in some rows to those of the path "angle"; nan stays nan."""
+    for i in np.flatnonzero(rows):
+        for s in range(3):
+            before = (1 - times[0]) * first[i, s] + times[0] * last[i, s]
+            for f in range(times.size - 1):
+                after = (1 - times[f + 1]) * first[i, s] + times[f + 1] * last[i, s]
+                angles[i, s, f] = max(angles[i, s, f], max(before, after)) if angles[i, s, f] >= 0.0 else math.nan
+                before = after
+
+
+@njit(cache=True)
+def vertex_sums_within(corners, angles, known, n):
+    """The largest sums of angles, (m, 3, k), at each vertex within long intervals, (n, l), of the rows known there."""
+    sums = np.zeros((n, angles.shape[2]))
+    largest = np.zeros((n, known.shape[1]))
+    parts = angles.shape[2] // known.shape[1]
+    for i in range(len(corners)):
+        for f in range(known.shape[1]):
+            for s in range(3 if known[i, f] else 0):
+                for g in range(f * parts, (f + 1) * parts):
+                    sums[corners[i, s], g] += angles[i, s, g]
+    for v in range(n):
+        for f in range(known.shape[1]):
+            for g in range(f * parts, (f + 1) * parts):
+                if not sums[v, g] <= largest[v, f]:  # nan, too, and it stays
+                    largest[v, f] = sums[v, g]
+                if sums[v, g] != sums[v, g]:
+                    break
+    return largest
 
 
 @njit(cache=True)
@@ -217,21 +282,36 @@ def vertex_sums(corners, angles, n):
 
 
 @njit(cache=True)
-def keep_to_budget(z, t, first, last, low, high):
-    """The third vertex, moved as little as the budgets of its triangle ask for."""
-    wanted = (math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real), third_angle(z.real, z.imag))
-    share = 1.0
-    for s in range(3):
-        if low[s] == math.inf:  # no budget here
+def keep_to_budget(z, times, first, last, low, high):
+    """Move the third vertices of a triangle, (k,), in place, as little as its budgets ask for."""
+    for f in range(times.size):
+        s, t = 1 - times[f], times[f]
+        x, y = z[f].real, z[f].imag
+        share, a, b, c = 1.0, -1.0, -1.0, -1.0
+        if low[0] < math.inf:
+            a = math.atan2(y, x)
+            share = _allowed(share, a, s * first[0] + t * last[0], s * low[0] + t * high[0])
+        if low[1] < math.inf:
+            b = math.atan2(y, 1.0 - x)
+            share = _allowed(share, b, s * first[1] + t * last[1], s * low[1] + t * high[1])
+        if low[2] < math.inf:
+            c = third_angle(x, y)
+            share = _allowed(share, c, s * first[2] + t * last[2], s * low[2] + t * high[2])
+        if share == 1.0:
             continue
-        plain, limit = (1 - t) * first[s] + t * last[s], (1 - t) * low[s] + t * high[s]
-        if wanted[s] > limit:
-            share = min(share, max(0.0, limit - plain) / max(wanted[s] - plain, 1e-300))
-    if share == 1.0:
-        return z
-    back, on = (1 - share) * (1 - t), (1 - share) * t
-    return apex(
-        back * first[0] + on * last[0] + share * wanted[0],
-        back * first[1] + on * last[1] + share * wanted[1],
-        back * first[2] + on * last[2] + share * wanted[2],
-    )
+        a, b = a if a >= 0.0 else math.atan2(y, x), b if b >= 0.0 else math.atan2(y, 1.0 - x)
+        c = c if c >= 0.0 else third_angle(x, y)
+        back, on = (1 - share) * s, (1 - share) * t
+        z[f] = apex(
+            back * first[0] + on * last[0] + share * a,
+            back * first[1] + on * last[1] + share * b,
+            back * first[2] + on * last[2] + share * c,
+        )
+
+
+@njit(cache=True)
+def _allowed(share, wanted, plain, limit):
+    """The share of what is wanted beyond the path "angle" that one more corner allows."""
+    if wanted > limit:
+        return min(share, max(0.0, limit - plain) / max(wanted - plain, 1e-300))
+    return share
