@@ -10,9 +10,6 @@ appends a line a pair; seeds that stand in the file already are passed over.  At
 holds, for each kind of pair.
 """
 
-import argparse
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,9 +17,10 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from experiments import subjects
+from experiments.seeds import asked, collected
 from tween import gallery, morph
 from tween.choices import PATHS
-from tween.choices import Path as PathName
+from tween.choices import Path as Path
 from tween.errors import GuaranteeError
 
 TIMES = np.array([0.0, 0.013, 0.21, 0.5, 0.77, 0.999, 1.0])
@@ -73,7 +71,7 @@ def moved(points: Points, angle: float, scale: float, step: Points) -> Points:
     return np.asarray(points @ np.array([[c, s], [-s, c]]) + scale * step)
 
 
-def differences(first: Points, second: Points, path: PathName, rng: np.random.Generator) -> dict[str, float]:
+def differences(first: Points, second: Points, path: Path, rng: np.random.Generator) -> dict[str, float]:
     """By which share of the width morphs differ that should be the same: turned, scaled, both, and exchanged."""
     plain = morph(first, second, path=path)
     shapes, width = plain.at(TIMES), float(max(np.ptp(end, axis=0).max() for end in (first, second)))
@@ -119,20 +117,8 @@ def summary(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("out", type=Path)
-    parser.add_argument("--seeds", type=int, nargs=2, default=(0, 1000))
-    arguments = parser.parse_args()
-    lines = arguments.out.read_text().splitlines() if arguments.out.exists() else []
-    rows = [json.loads(line) for line in lines]
-    done = {row["seed"] for row in rows}
-    with arguments.out.open("a") as file:
-        for seed in range(*arguments.seeds):
-            if seed not in done:
-                rows.append(compared(seed))
-                file.write(json.dumps(rows[-1]) + "\n")
-                file.flush()
-    print(summary(rows).to_string(index=False))
+    out, seeds = asked(str(__doc__).splitlines()[0])
+    print(summary(collected(out, seeds, lambda seed: [compared(seed)])).to_string(index=False))
 
 
 if __name__ == "__main__":

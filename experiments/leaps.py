@@ -10,14 +10,12 @@ appends a line a morph; seeds that stand in the file already are passed over.  A
 holds, for each kind and path.
 """
 
-import argparse
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
+from experiments.seeds import asked, collected
 from tween import Curve, Morph, gallery, morph
 from tween.choices import PATHS, Strategy
 from tween.errors import GuaranteeError
@@ -64,8 +62,7 @@ def moved(kind: str, seed: int) -> list[dict[str, Any]]:
 
 
 def summary(rows: list[dict[str, Any]]) -> pd.DataFrame:
-    """What was found for each kind and path: morphs, how many of them refused, how many with flips or inserted
-    vertices, and the largest move."""
+    """For each kind and path: morphs, those refused, with flips, and with inserted vertices; and the largest move."""
     table = pd.DataFrame(rows).reindex(columns=["kind", "path", "result", "flips", "inserted", "move"])
     table = table.assign(refused=table["result"] == "refused", flips=table["flips"] > 0, inserted=table["inserted"] > 0)
     groups = table.groupby(["kind", "path"], sort=False)
@@ -76,21 +73,8 @@ def summary(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("out", type=Path)
-    parser.add_argument("--seeds", type=int, nargs=2, default=(0, 1000))
-    arguments = parser.parse_args()
-    lines = arguments.out.read_text().splitlines() if arguments.out.exists() else []
-    rows = [json.loads(line) for line in lines]
-    done = {(row["kind"], row["seed"]) for row in rows}
-    with arguments.out.open("a") as file:
-        for seed in range(*arguments.seeds):
-            for kind in KINDS:
-                if (kind, seed) not in done:
-                    found = moved(kind, seed)
-                    file.write("".join(json.dumps(row) + "\n" for row in found))
-                    file.flush()
-                    rows += found
+    out, seeds = asked(str(__doc__).splitlines()[0])
+    rows = collected(out, seeds, lambda seed: [row for kind in KINDS for row in moved(kind, seed)])
     print(summary(rows).to_string(index=False))
 
 
