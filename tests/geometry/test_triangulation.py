@@ -68,7 +68,7 @@ def test_a_limacon_breaks_no_rule_but_the_turning_number() -> None:
 
 
 def test_a_lost_edge_of_the_dual_is_noticed() -> None:
-    # By Euler's formula n - 2 triangles that keep the rules for edges are connected: only with wrong twins they are not.
+    # By Euler's formula n - 2 triangles that keep the rules for edges are connected: with wrong twins they are not.
     T = Triangulation(HEXAGON, [(0, 1, 2), (0, 2, 4), (2, 3, 4), (0, 4, 5)])
     lost = T.twin.copy()
     lost[2, lost[2] >= 0], lost[1, lost[1] // 3 == 2] = -1, -1

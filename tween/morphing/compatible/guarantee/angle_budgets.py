@@ -39,6 +39,7 @@ from tween.morphing.compatible.paths import apex, third_angle
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
 RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
 _ROUNDING = 1e-9  # of a sum of angles
+_AT_ONCE = 128  # triangles whose angles are bounded in all intervals rather than in each that is in doubt
 _ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
 
 
@@ -207,14 +208,11 @@ class _Search:
 
     def slack(self) -> NDArray[np.float64]:
         """What every vertex has left below 2 pi at least, but for roundings; shape (n,)."""
-        n = self._corners.max() + 1
-        slack = _left(vertex_sums(self._corners, self._rough, n))
+        slack = _left(vertex_sums(self._corners, self._rough, self._corners.max() + 1))
         doubtful = (slack <= 0).any(axis=1, keepdims=True) & (slack <= _ENOUGH)
         if doubtful.any():
-            needed = doubtful[self._corners].any(axis=1)
-            self._refine(needed & ~self._known)
-            sums = vertex_sums_within(self._corners, self._fine, self._known, n)
-            slack = np.where(doubtful, _left(sums), slack)
+            self._refine(doubtful[self._corners].any(axis=1) & ~self._known)
+            slack = np.where(doubtful, _left(largest_sums_in(doubtful, self._corners, self._fine)), slack)
         return np.asarray(slack.min(axis=1))
 
     def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
@@ -225,13 +223,21 @@ class _Search:
 
     def _refine(self, fresh: NDArray[np.bool_]) -> None:
         """Bound the angles of triangles in the parts of long intervals, (m, long intervals)."""
-        parts = (_TIMES - 1) // (_FEW_TIMES - 1)
+        parts, rows = (_TIMES - 1) // (_FEW_TIMES - 1), np.flatnonzero(fresh.any(axis=1))
+        if len(rows) <= _AT_ONCE:
+            self._bound(rows, 0, _TIMES - 1)
+            self._known[rows] = True
+            return
         for f in np.flatnonzero(fresh.any(axis=0)).tolist():
-            rows, times = np.flatnonzero(fresh[:, f]), self._many[f * parts : (f + 1) * parts + 1]
-            angles = self._bounds(times, rows)
-            _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
-            self._fine[rows, :, f * parts : (f + 1) * parts] = angles
+            self._bound(np.flatnonzero(fresh[:, f]), f * parts, (f + 1) * parts)
         self._known |= fresh
+
+    def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
+        """Bound the angles of some triangles in some of the parts."""
+        times = self._many[start : stop + 1]
+        angles = self._bounds(times, rows)
+        _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
+        self._fine[rows, :, start:stop] = angles
 
 
 def _left(sums: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -251,20 +257,21 @@ def _reach_plain(angles, rows, first, last, times):
 
 
 @njit(cache=True)
-def vertex_sums_within(corners, angles, known, n):
-    """The largest sums of angles, (m, 3, k), at each vertex within long intervals, (n, l), of the rows known there."""
-    sums = np.zeros((n, angles.shape[2]))
-    largest = np.zeros((n, known.shape[1]))
-    parts = angles.shape[2] // known.shape[1]
+def largest_sums_in(asked, corners, angles):
+    """The largest sums of angles, (m, 3, k), at vertices within long intervals, (n, l), where asked for; nan stays."""
+    n, intervals = asked.shape
+    parts = angles.shape[2] // intervals
+    sums, largest = np.zeros((n, angles.shape[2])), np.zeros((n, intervals))
     for i in range(len(corners)):
-        for f in range(known.shape[1]):
-            for s in range(3 if known[i, f] else 0):
-                for g in range(f * parts, (f + 1) * parts):
-                    sums[corners[i, s], g] += angles[i, s, g]
+        for s in range(3):
+            v = corners[i, s]
+            for f in range(intervals):
+                for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
+                    sums[v, g] += angles[i, s, g]
     for v in range(n):
-        for f in range(known.shape[1]):
-            for g in range(f * parts, (f + 1) * parts):
-                if not sums[v, g] <= largest[v, f]:  # nan, too, and it stays
+        for f in range(intervals):
+            for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
+                if not sums[v, g] <= largest[v, f]:
                     largest[v, f] = sums[v, g]
                 if sums[v, g] != sums[v, g]:
                     break
