@@ -80,6 +80,7 @@ class Leg:
         self._children = self._places_of_children()
         self._centres = self._start[0].mean(), self._end[0].mean()
         self.budgets = no_budgets(len(self._corners))
+        self._alone = reserve is None  # not one of very many legs of a flow, each of which would hold its bounds
         self._first_bounds: tuple[NDArray[np.float64], Bounds] | None = None
         if guarantee:
             self._give_budgets(reserve)
@@ -212,8 +213,10 @@ class Leg:
     def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
         if len(rows) == len(self._corners):
-            self._first_bounds = t, self._all_bounds(t)
-            return self._first_bounds[1][1].copy()
+            first = self._all_bounds(t)
+            if self._alone:
+                self._first_bounds = t, first
+            return first[1].copy()
         source, target = (z[rows] for z in self._thirds)
         return angle_bounds(self._path, source, target, self._propagates[rows], self._stretch[rows], t, False)[1]
 

@@ -165,7 +165,9 @@ def _least_in_box(low_x, high_x, low_y, high_y):
     a = math.atan2(low_y if high_x > 0.0 else high_y, high_x)
     b = math.atan2(low_y if low_x < 1.0 else high_y, 1.0 - low_x)
     far = low_x if abs(low_x - 0.5) > abs(high_x - 0.5) else high_x
-    return a, b, min(third_angle(far, low_y), third_angle(far, high_y))
+    # the smaller angle is that of the vector to the right: one arc tangent does
+    low_d, high_d = far * (far - 1.0) + low_y * low_y, far * (far - 1.0) + high_y * high_y
+    return a, b, third_angle(far, low_y if low_d * high_y > high_d * low_y else high_y)
 
 
 @njit(cache=True)

@@ -211,13 +211,13 @@ class _Search:
         slack = _left(vertex_sums(self._corners, self._rough, self._corners.max() + 1))
         doubtful = (slack <= 0).any(axis=1, keepdims=True) & (slack <= _ENOUGH)
         if doubtful.any():
-            self._refine(doubtful[self._corners].any(axis=1) & ~self._known)
+            self._refine(_touched(doubtful, self._corners) & ~self._known)
             slack = np.where(doubtful, _left(largest_sums_in(doubtful, self._corners, self._fine)), slack)
         return np.asarray(slack.min(axis=1))
 
     def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
         """Let the bounds of triangles with a budgeted corner reach the path "angle"."""
-        self._plain = np.asarray(vertices[self._corners].any(axis=1))
+        self._plain = _touched(vertices, self._corners)
         for angles, times in ((self._rough, self._few), (self._fine, self._many)):
             _reach_plain(angles, self._plain, self._first, self._last, times)
 
@@ -238,6 +238,12 @@ class _Search:
         angles = self._bounds(times, rows)
         _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
         self._fine[rows, :, start:stop] = angles
+
+
+def _touched(some: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which triangles have a corner among some vertices, (n,), or (n, l) in each of several intervals."""
+    a, b, c = corners.T
+    return np.asarray(some[a] | some[b] | some[c])
 
 
 def _left(sums: NDArray[np.float64]) -> NDArray[np.float64]:
