@@ -42,7 +42,7 @@ STUDIES = (
             "table_1_curve_to_curve_ways.csv",
             "table_1_curve_to_curve_flips.csv",
         ),
-        figures=("table_1_ways",),
+        figures=("table_1_curve_to_curve",),
         seconds=60,
     ),
     Step(
@@ -84,7 +84,7 @@ STUDIES = (
         "studies.roots",
         "The triangle that the motion starts from",
         results=("roots_summary.csv", "roots.csv"),
-        figures=("root_shapes", "root_choice", "root_heights"),
+        figures=("root_shapes", "root_choice", "root_choice_all", "root_heights"),
         seconds=60,
     ),
     Step(
@@ -127,7 +127,7 @@ GRID = Step(
 # What is made of the studies' results.
 STEPS = (
     *STUDIES,
-    Step("claims", "The verdict on every claim", results=("claims.csv",), seconds=30),
+    Step("claims", "The verdict on every claim", results=("claims.csv",), figures=("verdicts",), seconds=30),
     Step("figures", "Figures", results=("figures/captions.json", "figures/drawn.json"), seconds=60),
     Step("figures.animations", "Animations", seconds=30),
     Step("notebooks", "Notebooks", seconds=60),

@@ -19,6 +19,7 @@ WITHOUT_MODULE = {
 }
 # Modules that serve another one, and are tested with it.
 TESTED_WITH = {
+    "app/command_line/options.py": "app/command_line/test_interface.py",
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
 }

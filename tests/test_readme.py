@@ -104,7 +104,7 @@ def test_what_remeshing_gains_is_told_as_the_grid_has_it() -> None:
     factor = rank["uniform"] / rank["remeshed"]
     fewer = factor[shapes["slides_remeshed"] < shapes["slides_uniform"]]
     assert (fewer > 1).all()
-    assert f"on all {len(fewer)} of {len(factor)} curves, up to {fewer.max():.1f} times" in words()
+    assert f"on all {len(fewer)} such curves of {len(factor)}, up to {fewer.max():.1f} times" in words()
     larger = (variance["remeshed"] > variance["uniform"]).sum()
     assert f"Var is larger remeshed, on {larger} of {len(variance)} curves" in words()
 

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from experiments.claims.ledger import Finding, Numbers, claim
 from experiments.claims.rules import every, more, more_pairs
-from experiments.claims.shared import PARAMETERS, Floats
+from experiments.claims.shared import PARAMETERS
+from experiments.lengths import beyond
 from experiments.measures import hung, slid
 from experiments.store import rng_for
 from experiments.subjects import shape
@@ -85,11 +86,6 @@ def lengths_and_areas(name: str, path: Path) -> dict[str, float]:
         "farthest": float(np.maximum(above, below).max()),
         "uneven": float(np.abs(A - even).sum(axis=0).mean()),
     }
-
-
-def beyond(x: Floats) -> tuple[Floats, Floats]:
-    """By what factors columns exceed the larger of their two ends, and fall below the smaller."""
-    return x.max(axis=0) / np.maximum(x[0], x[-1]), np.minimum(x[0], x[-1]) / x.min(axis=0)
 
 
 @claim(

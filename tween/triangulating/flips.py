@@ -12,7 +12,7 @@ keep their rows, and the edge its number:
 Legend: ``h`` half-edges as in `.triangulation`; ``a b c d`` the corners above.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numba import njit
@@ -137,6 +137,36 @@ def flip(T: Triangulation, diagonal: tuple[int, int]) -> Triangulation:
     triangles, twin = T.triangles.copy(), T.twin.copy()
     flip_in_place(triangles, twin, h)
     return Triangulation(T.points, triangles)
+
+
+def flips_to_delaunay(T: Triangulation) -> Iterator[Triangulation]:
+    """Remesh step by step: what `remesh` does at once, to watch it.
+
+    Parameters
+    ----------
+    T : Triangulation
+        Any valid triangulation of an immersed disk.
+
+    Yields
+    ------
+    Triangulation
+        T, then what it is after each flip of the first diagonal that is not locally Delaunay; the last one has none.
+
+    Examples
+    --------
+    >>> kite = [[0, 0], [2, -1], [4, 0], [2, 1]]
+    >>> [S.diagonals.tolist() for S in flips_to_delaunay(Triangulation(kite, [[0, 1, 2], [0, 2, 3]]))]
+    [[[2, 0]], [[1, 3]]]
+
+    References
+    ----------
+    Mukherjee and Gopi, Section 4 and Algorithm 1.
+    """
+    yield T
+    while not (good := locally_delaunay(T)).all():
+        a, b = T.diagonals[np.argmin(good)].tolist()
+        T = flip(T, (a, b))
+        yield T
 
 
 def half_edge(T: Triangulation, diagonal: tuple[int, int]) -> int:

@@ -1,6 +1,7 @@
 """`tween morph` writes the morph of the library, between what it was given, and says what is known of it."""
 
 import json
+import re
 import shlex
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -219,3 +220,28 @@ def test_all_keyframes_are_brought_to_the_place_of_the_first(run: Run) -> None:
     assert run("morph gallery:ell 1.csv 2.csv gallery:ell -o m.npz --frames 4 --fit area")[0] == 0
     areas = [tween.Curve(frame).area for frame in io.read_frames("m.npz")[0]]
     assert areas == pytest.approx([gallery.curve("ell").area] * 4)
+
+
+def test_beside_a_file_only_the_file_is_smoothed_as_its_unit_is_another(run: Run) -> None:
+    assert run("gallery ell -o ell.csv")[0] == 0
+    for line, told in (
+        ("ell.csv letter:e", ["ell.csv"]),
+        ("letter:e disk", ["letter:e"]),
+        ("gallery:ell letter:e", ["gallery:ell", "letter:e"]),
+    ):
+        status, _, err = run(f"morph {line} -o out.npz --smooth 0.1 --frames 3")
+        assert status == 0
+        assert re.findall(r"^tween: note: (\S+): ", err, re.MULTILINE) == told
+
+
+def test_of_several_drawings_the_pen_draws_the_lines_and_leaves_what_is_filled(run: Run) -> None:
+    svg = '<svg xmlns="http://www.w3.org/2000/svg"><path d="{}" {}/></svg>'
+    Path("filled.svg").write_text(svg.format("M0 0H90V90H0Z", 'fill="#2a7"'))
+    Path("line.svg").write_text(svg.format("M0 0H90V90H180", 'fill="none" stroke="black" stroke-width="9"'))
+    status, _, err = run("morph filled.svg line.svg filled.svg -o loop.npz --pen 9 --frames 3")
+    assert (status, err) == (0, "tween: note: filled.svg: not drawn with the pen, as it is filled\n")
+    frames = io.read_frames("loop.npz")[0]
+    assert tween.Curve(frames[0]).area == 8100
+    assert abs(tween.Curve(frames[1]).area - 270 * 9) < 1
+    assert run("morph filled.svg disk -o ring.npz --pen 9 --frames 3")[0] == 0  # the only one is drawn as asked
+    assert abs(tween.Curve(io.read_frames("ring.npz")[0][0]).area - 360 * 9) < 100
