@@ -22,7 +22,7 @@ from tween.morphing.compatible.guarantee.angle_budgets import (
 )
 from tween.morphing.compatible.guarantee.area_bounds import area_bounds, largest_sums, with_ancestors
 from tween.morphing.compatible.guarantee.area_twists import AreaPath, kept_below_full_turn, straight_area_path
-from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, first_doubt
+from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, cut, first_doubt
 from tween.morphing.compatible.layout import hang, placed, root_base
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
 
@@ -30,6 +30,7 @@ _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
 _MARGIN = 1e-9  # radians below 2 pi that a proof leaves where the ends allow it
 _SHORTEST = 1.0 / 512.0  # of the intervals in which sums along "area" are looked at
+_LEAST = 2.0**-16  # of those at an end
 
 
 class Leg:
@@ -162,21 +163,22 @@ class Leg:
 
         Intervals of time are divided for the vertices that are in doubt there.
         """
-        starts, stops = np.linspace(0.0, 1.0, 17)[:-1], np.linspace(0.0, 1.0, 17)[1:]
+        intervals = np.stack([np.linspace(0.0, 1.0, 17)[:-1], np.linspace(0.0, 1.0, 17)[1:]], axis=1)
         margin = np.minimum(_MARGIN, 0.5 * left)[:, None]
-        bad = np.ones((len(left), len(starts)), dtype=np.bool_)
-        while True:
-            knots = np.unique([starts, stops])
-            places = np.searchsorted(knots, starts)
+        bad, lost = np.ones((len(left), len(intervals)), dtype=np.bool_), np.zeros(len(left), dtype=np.bool_)
+        while len(intervals):
+            knots = np.unique(intervals)
+            places = np.searchsorted(knots, intervals[:, 0])
             asked = np.zeros((len(left), len(knots) - 1), dtype=np.bool_)
             asked[:, places] = bad
             bad &= ~(self._layout_by_area(knots, path, asked).slack[:, places] > margin)
+            lost |= bad[:, _too_short(intervals)].any(axis=1)
+            bad &= ~lost[:, None]
             again = bad.any(axis=0)
-            if not again.any() or (stops - starts)[again].min() < _SHORTEST:
-                return np.asarray(bad.any(axis=1))
-            cuts = np.linspace(starts[again], stops[again], 5)
-            starts, stops = cuts[:-1].T.ravel(), cuts[1:].T.ravel()
+            parts = [_parts(*interval) for interval in intervals[again].tolist()]
+            intervals = np.concatenate(parts) if parts else np.empty((0, 2))
             bad = np.repeat(bad[:, again], 4, axis=1)
+        return lost
 
     def _layout_by_area(self, t: NDArray[np.float64], path: AreaPath, asked: NDArray[np.bool_]) -> Layout:
         """What is known of the motion along "area" between neighbouring times, at the vertices asked for, (n, k-1)."""
@@ -241,6 +243,21 @@ class Leg:
         e = root_base(self._start[0], self._end[0], self._path == "metric", t)
         shapes = hang(self._corners, self._children, z, e, t, by_area, path, self.budgets)
         return shapes, z
+
+
+def _too_short(intervals: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which intervals are divided no more; close to an end, where areas may change quickly, they are for longer."""
+    start, stop = intervals.T
+    away = np.minimum(start, 1.0 - stop)
+    return np.asarray(stop - start < np.where(away == 0.0, _LEAST, np.minimum(_SHORTEST, away / 16.0)))
+
+
+def _parts(start: float, stop: float) -> NDArray[np.float64]:
+    """An interval in four; a short one at an end in a geometric progression towards that."""
+    if stop - start < _SHORTEST:
+        return cut(start, stop)
+    knots = np.linspace(start, stop, 5)
+    return np.stack([knots[:-1], knots[1:]], axis=1)
 
 
 def left_below_full_turn(T: Triangulation) -> NDArray[np.float64]:

@@ -157,7 +157,7 @@ def first_doubt(
             elif end - start <= _shortest(start, end) or len(bad) > _MOST:
                 return _doubt(corners, start, end, row)
             else:
-                again.append(_cut(start, end))
+                again.append(cut(start, end))
         intervals = np.concatenate(again) if again else np.empty((0, 2))
     return snaps[0], snaps[1]
 
@@ -173,8 +173,17 @@ def _doubt(corners: NDArray[np.int64], start: float, end: float, row: list[float
     return Doubt(start, end, rule, vertices, *row[2:])
 
 
-def _cut(start: float, end: float) -> NDArray[np.float64]:
-    """Parts of an interval; one at an end of the motion is cut in a geometric progression towards it."""
+def cut(start: float, end: float) -> NDArray[np.float64]:
+    """Cut an interval of time in four; one at an end of the motion in a geometric progression towards it.
+
+    Parameters
+    ----------
+    start, end : float
+
+    Returns
+    -------
+    ndarray of float64, shape (4, 2)
+    """
     share = np.linspace(0.0, 1.0, _PARTS + 1)
     if start == 0.0:
         share = np.array([0.0, 2.0**-6, 2.0**-4, 2.0**-2, 1.0])
