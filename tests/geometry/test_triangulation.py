@@ -68,10 +68,12 @@ def test_a_limacon_breaks_no_rule_but_the_turning_number() -> None:
 
 
 def test_a_lost_edge_of_the_dual_is_noticed() -> None:
-    # By Euler's formula n - 2 triangles that keep the rules for edges are connected: only a wrong dual is not.
+    # By Euler's formula n - 2 triangles that keep the rules for edges are connected: with wrong twins they are not.
     T = Triangulation(HEXAGON, [(0, 1, 2), (0, 2, 4), (2, 3, 4), (0, 4, 5)])
-    vars(T)["dual"] = T.dual[1:]
-    with pytest.raises(TriangulationError, match=r"triangle \d is not connected to triangle 0"):
+    lost = T.twin.copy()
+    lost[2, lost[2] >= 0], lost[1, lost[1] // 3 == 2] = -1, -1
+    vars(T)["twin"] = lost
+    with pytest.raises(TriangulationError, match=r"triangle 2 is not connected to triangle 0"):
         T.validate()
 
 

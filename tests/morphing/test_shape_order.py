@@ -49,9 +49,34 @@ def test_a_difference_of_a_few_roundings_is_none():
     assert comes_later(large, every(T), small, every(T)) and comes_later(nudged, every(T), small, every(T))
 
 
-def test_of_equal_shapes_bytes_decide_so_that_exchange_still_exchanges():
+def congruent():
+    """Pairs of the same shape: turned; moved only; mirrored at a diagonal, which exchanges edges."""
     T = triangulate(gallery.curve("ess"))
-    U = T.moved(T.points + np.array([1.0, 0.0]))
+    parallelogram = Triangulation([[0, 0], [3, 0], [4, 2], [1, 2]], [[0, 1, 2], [0, 2, 3]])
+    other = Triangulation([[0, 0], [3, 0], [2, 2], [-1, 2]], [[0, 1, 2], [0, 2, 3]])
+    return [
+        (T, similar(T, 2.0, 1.0, 3.0)),
+        (T, T.moved(T.points + np.array([1.0, 0.0]))),
+        (T, T.moved(T.points + np.array([0.0, -1.0]))),
+        (parallelogram, other),
+    ]
+
+
+@pytest.mark.parametrize(("first", "second"), congruent())
+@pytest.mark.parametrize("seed", range(4))
+def test_of_congruent_shapes_a_similarity_changes_nothing_and_exchange_exchanges(first, second, seed):
+    rng = np.random.default_rng(seed)
+    how = rng.uniform(0, 7), rng.uniform(0.01, 100), complex(*rng.normal(size=2)) * 10
+    start = int(rng.integers(len(first)))
+    S, T = (similar(shape, *how).rolled(start) for shape in (first, second))
+    answer = comes_later(first, every(first), second, every(second))
+    assert comes_later(S, every(S), T, every(T)) == answer
+    assert comes_later(T, every(T), S, every(S)) != answer
+
+
+def test_of_shapes_turned_by_half_a_turn_bytes_decide_so_that_exchange_still_exchanges():
+    T = triangulate(gallery.curve("ess"))
+    U = similar(T, np.pi, 1.0, 3.0)
     assert comes_later(T, every(T), U, every(U)) != comes_later(U, every(U), T, every(T))
 
 

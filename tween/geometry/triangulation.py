@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
+from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError, TriangulationError
@@ -144,7 +145,8 @@ class Triangulation:
         fault = coordinate_fault(self._points)
         if fault:
             raise TriangulationError(fault)
-        _check_connected(self.dual, len(self._triangles))
+        for t in np.flatnonzero(~_reached(self.twin)):
+            raise TriangulationError(f"triangle {t} is not connected to triangle 0: the dual graph is no tree")
         for t in np.flatnonzero(orient2d(*np.moveaxis(self._points[self._triangles], 1, 0)) <= 0):
             found = self._triangles[t].tolist()
             raise TriangulationError(f"triangle {t} {found} is not counter-clockwise")
@@ -345,17 +347,16 @@ def _twins(triangles: NDArray[np.int64], n: int) -> NDArray[np.int64]:
     return twin.reshape(-1, 3)
 
 
-def _check_connected(dual: NDArray[np.int64], count: int) -> None:
-    """Raise `TriangulationError` where some triangle cannot be reached from triangle 0."""
-    neighbours: list[list[int]] = [[] for _ in range(count)]
-    for i, j in dual.tolist():
-        neighbours[i].append(j)
-        neighbours[j].append(i)
-    reached, front = {0}, [0]
-    while front:
-        fresh = [j for j in neighbours[front.pop()] if j not in reached]
-        reached.update(fresh)
-        front.extend(fresh)
-    if len(reached) < count:
-        lost = min(set(range(count)) - reached)
-        raise TriangulationError(f"triangle {lost} is not connected to triangle 0: the dual graph is no tree")
+@njit(cache=True)
+def _reached(twin):
+    """Which triangles can be reached from triangle 0."""
+    reached, front, waiting = np.zeros(len(twin), np.bool_), np.zeros(len(twin), np.int64), 1
+    reached[0] = True
+    while waiting:
+        waiting -= 1
+        for h in twin[front[waiting]]:
+            if h >= 0 and not reached[h // 3]:
+                reached[h // 3] = True
+                front[waiting] = h // 3
+                waiting += 1
+    return reached

@@ -8,19 +8,23 @@ roundings is not larger.
 
     vertices   perimeter   area   longest edge   second moment about the centre   shortest edge   sum of squared turns
 
-Shapes that agree in all of these are taken to be the same shape up to a similarity of one of them that keeps size.
-Then, and only then, the order of their bytes decides: a morph is symmetric there, too, but which of several equally
-good ones it is, as for two congruent symmetric curves, may depend on where they lie.
+Shapes that agree in all of these are compared edge by edge and turn by turn, from where those read smallest.
+Where no edge and no turn differs, one shape is the other, turned and moved.  Then the one from which the other is
+reached by a left turn comes first; where that is none, the one from which the other lies ahead, seen along the first
+of those edges.  What is left are equal shapes in the same place, and half a turn, which leads to the same from either
+side.  There, and only there, the order of their bytes decides.
 """
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tween.geometry.triangulation import Triangulation
 
-_SAME = 1e-9  # relative; less is no difference
+_SAME = 1e-9  # relative, or radians; less is no difference
+_GRID = 2.0**30  # parts of the length of a curve, and of half a turn, to which edges and turns are rounded
 
 
 def shape_key(T: Triangulation, origin: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -80,7 +84,48 @@ def comes_later(
     for p, q in zip(one.tolist(), other.tolist(), strict=True):
         if abs(p - q) > _SAME * max(abs(p), abs(q)):
             return p > q
-    return _bytes(first, first_origin) > _bytes(second, second_origin)
+    z, w = (_outline(T, origin) for T, origin in ((first, first_origin), (second, second_origin)))
+    starts, texts = zip(*(_smallest(curve) for curve in (z, w)), strict=True)
+    later = _differs(*texts) or _differs(first.canonical, second.canonical)
+    later = later or _turned_or_moved(z, w, z[(starts[0] + 1) % len(z)] - z[starts[0]])
+    return later > 0 if later else _bytes(first, first_origin) > _bytes(second, second_origin)
+
+
+def _outline(T: Triangulation, origin: NDArray[np.int64]) -> NDArray[np.complex128]:
+    return T.points[origin >= 0] @ np.array([1.0, 1.0j])
+
+
+def _smallest(z: NDArray[np.complex128]) -> tuple[int, NDArray[np.float64]]:
+    """The vertex from which the edges and turns of a curve, rounded, read smallest; and these, (n, 2), from there."""
+    edges = np.roll(z, -1) - z
+    lengths, turns = np.abs(edges), np.angle(edges / np.roll(edges, 1))
+    read = np.round(_GRID * np.stack([lengths / lengths.sum(), turns / np.pi], axis=1))
+    rank, step = np.unique(read, axis=0, return_inverse=True)[1].ravel(), 1
+    while step < len(z) and rank.max() < len(z) - 1:  # ranks of twice as long stretches from those of two neighbours
+        pairs = np.stack([rank, np.roll(rank, -step)], axis=1)
+        rank, step = np.unique(pairs, axis=0, return_inverse=True)[1].ravel(), 2 * step
+    start = int(rank.argmin())
+    return start, np.roll(read, -start, axis=0)
+
+
+def _differs(one: NDArray[Any], other: NDArray[Any]) -> int:
+    """1 or -1 where the first number that differs is larger or smaller; 0 where none differs."""
+    p, q = one.ravel(), other.ravel()
+    different = np.flatnonzero(p != q)
+    return 0 if not len(different) else 1 if p[different[0]] > q[different[0]] else -1
+
+
+def _turned_or_moved(z: NDArray[np.complex128], w: NDArray[np.complex128], edge: complex) -> int:
+    """1 or -1 where the second curve is the first one turned to the right or left, or else lies behind or ahead."""
+    size = float(np.abs(z - z.mean()).max())
+    turn = float(np.angle(np.vdot(z - z.mean(), w - w.mean())))
+    if _SAME < abs(turn) < np.pi - _SAME:
+        return 1 if turn < 0 else -1
+    step = complex((w.mean() - z.mean()) * np.conj(edge) / abs(edge))
+    for ahead in (step.real, step.imag):
+        if abs(turn) < 1 and abs(ahead) > _SAME * size:
+            return 1 if ahead < 0 else -1
+    return 0
 
 
 def _points(T: Triangulation, origin: NDArray[np.int64]) -> bytes:

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tween.morphing.compatible.paths import area_apex, base_angles, slides, third_vertices
+from tween.morphing.compatible.paths import base_angles, slides, third_vertices
 
 PAPER = ("linear", "slide")
 PATHS = (*PAPER, "angle", "metric")  # "area" takes the lengths of bases, so it is laid out: see test_morph
@@ -50,15 +50,6 @@ def test_along_the_path_of_metrics_every_squared_length_changes_linearly(z1, z2,
     base = 1 + TIMES * (stretch**2 - 1)
     for squares in (abs(z) ** 2 * base, abs(z - 1) ** 2 * base):
         np.testing.assert_allclose(squares, squares[0] + TIMES * (squares[-1] - squares[0]), rtol=1e-9, atol=1e-9)
-
-
-@given(st.floats(-4, 5), st.floats(-12, 1))
-def test_height_and_difference_of_angles_determine_a_triangle(x, magnitude) -> None:
-    z = complex(x, 10.0**magnitude)
-    a, b, c = base_angles(np.array([z]))[0]
-    # the angles are known to some units of rounding, of which a flat triangle makes that over its height
-    rounding = max(1e-9, 1e-15 / z.imag)
-    assert abs(area_apex(z.imag, 2 * a + c, 2 * b + c) - z) < rounding * max(1, abs(z))
 
 
 @given(apexes, apexes, edges)

@@ -9,8 +9,8 @@ import math
 import numpy as np
 from numba import njit
 
+from tween.morphing.compatible.area_thirds import area_third
 from tween.morphing.compatible.guarantee.angle_budgets import keep_to_budget
-from tween.morphing.compatible.guarantee.area_bounds import area_third
 
 _HALF_TURN = 1e-9  # radians; a root that turns by 180 degrees within this turns the same way in reverse
 
@@ -92,8 +92,7 @@ def hang(corners, children, z, root_base, t, path, budgets):
         if budgets is not None:
             first, last, low, high = budgets
             if _any_finite(low[i]):  # the others keep their bits
-                for f in range(k):
-                    z[i, f] = keep_to_budget(z[i, f], t[f], first[i], last[i], low[i], high[i])
+                keep_to_budget(z[i], t, first[i], last[i], low[i], high[i])
         a, c = corners[i, 0], corners[i, 2]
         for f in range(k):
             shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]

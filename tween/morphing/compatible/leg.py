@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.geometry.dual_tree import RootedTree, disk_center, rooted, tree_center
 from tween.geometry.triangulation import Triangulation
+from tween.morphing.compatible.area_thirds import area_thirds
 from tween.morphing.compatible.guarantee.angle_bounds import Bounds, angle_bounds, within_budgets
 from tween.morphing.compatible.guarantee.angle_budgets import (
     default_reserve,
@@ -21,9 +22,9 @@ from tween.morphing.compatible.guarantee.angle_budgets import (
     no_budgets,
     proved_budgets,
 )
-from tween.morphing.compatible.guarantee.area_bounds import area_bounds, largest_sums
+from tween.morphing.compatible.guarantee.area_bounds import area_bounds, largest_sums, with_ancestors
 from tween.morphing.compatible.guarantee.area_twists import AreaPath, kept_below_full_turn, straight_area_path
-from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, first_doubt
+from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, cut, first_doubt
 from tween.morphing.compatible.layout import hang, placed, root_base
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
 from tween.morphing.plan import Plan
@@ -32,6 +33,7 @@ _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
 _MARGIN = 1e-9  # radians below 2 pi that a proof leaves where the ends allow it
 _SHORTEST = 1.0 / 512.0  # of the intervals in which sums along "area" are looked at
+_LEAST = 2.0**-16  # of those at an end
 
 
 class Leg:
@@ -81,6 +83,8 @@ class Leg:
         self._children = self._places_of_children()
         self._centres = self._start[0].mean(), self._end[0].mean()
         self.budgets = no_budgets(len(self._corners))
+        self._alone = reserve is None  # not one of very many legs of a flow, each of which would hold its bounds
+        self._first_bounds: tuple[NDArray[np.float64], Bounds] | None = None
         if guarantee:
             self._give_budgets(reserve)
 
@@ -173,33 +177,43 @@ class Leg:
             self._slack = np.where(np.isnan(proved), kept, proved)
 
     def _doubtful(self, path: AreaPath, left: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """The vertices whose angles along the path "area" are not proved to stay below 2 pi."""
-        starts, stops = np.linspace(0.0, 1.0, 17)[:-1], np.linspace(0.0, 1.0, 17)[1:]
-        margin = np.minimum(_MARGIN, 0.5 * left)[:, None]
-        while True:
-            knots = np.unique([starts, stops])
-            bad = ~(self._layout_by_area(knots, path).slack[:, np.searchsorted(knots, starts)] > margin)
-            again = bad.any(axis=0)
-            if not again.any() or (stops - starts)[again].min() < _SHORTEST:
-                return np.asarray(bad.any(axis=1))
-            cuts = np.linspace(starts[again], stops[again], 5)
-            starts, stops = cuts[:-1].T.ravel(), cuts[1:].T.ravel()
+        """The vertices whose angles along the path "area" are not proved to stay below 2 pi.
 
-    def _layout_by_area(self, t: NDArray[np.float64], path: AreaPath) -> Layout:
-        """What is known of the motion along "area" between neighbouring times."""
-        _, z = self._lay_out(t, path)
-        root = np.abs(root_base(self._start[0], self._end[0], False, t))
-        low, high, slow, fast, near, far = area_bounds(self._children, z, root, t, *path)
-        sums = largest_sums(self._corners, np.asarray(corner_angles(z)), high, slow, fast, t)
+        Intervals of time are divided for the vertices that are in doubt there.
+        """
+        intervals = np.stack([np.linspace(0.0, 1.0, 17)[:-1], np.linspace(0.0, 1.0, 17)[1:]], axis=1)
+        margin = np.minimum(_MARGIN, 0.5 * left)[:, None]
+        bad, lost = np.ones((len(left), len(intervals)), dtype=np.bool_), np.zeros(len(left), dtype=np.bool_)
+        while len(intervals):
+            knots = np.unique(intervals)
+            places = np.searchsorted(knots, intervals[:, 0])
+            asked = np.zeros((len(left), len(knots) - 1), dtype=np.bool_)
+            asked[:, places] = bad
+            bad &= ~(self._layout_by_area(knots, path, asked).slack[:, places] > margin)
+            lost |= bad[:, _too_short(intervals)].any(axis=1)
+            bad &= ~lost[:, None]
+            again = bad.any(axis=0)
+            parts = [_parts(*interval) for interval in intervals[again].tolist()]
+            intervals = np.concatenate(parts) if parts else np.empty((0, 2))
+            bad = np.repeat(bad[:, again], 4, axis=1)
+        return lost
+
+    def _layout_by_area(self, t: NDArray[np.float64], path: AreaPath, asked: NDArray[np.bool_]) -> Layout:
+        """What is known of the motion along "area" between neighbouring times, at the vertices asked for, (n, k-1)."""
+        cells = with_ancestors(self._corners, self._children, asked)
+        e = root_base(self._start[0], self._end[0], False, t)
+        z = area_thirds(self._children, e, t, *path, cells)
+        low, high, slow, fast, near, far = area_bounds(self._children, z, np.abs(e), t, *path, cells)
+        sums = largest_sums(self._corners, z, high, slow, fast, t, cells)
         return Layout(low, high, near, far, 2 * np.pi - sums)
 
     def _layout(self, t: NDArray[np.float64]) -> Layout:
         """What is known of the motion between neighbouring times."""
         if self._path == "area":
-            return self._layout_by_area(t, self.area_path)
+            return self._layout_by_area(t, self.area_path, np.ones((len(self.source), len(t) - 1), dtype=np.bool_))
         slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
         slack = np.minimum(slack[:-1], slack[1:]).T.copy()
-        low, high = angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
+        low, high = self._all_bounds(t)
         rows = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
         if len(rows):
             within_budgets(low, high, rows, *self.budgets, t)
@@ -219,8 +233,21 @@ class Leg:
 
     def _largest_angles(self, t: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """Bounds of the angles at a, b, c of triangles, in tree order, between neighbouring times, (r, 3, k-1)."""
+        if len(rows) == len(self._corners):
+            first = self._all_bounds(t)
+            if self._alone:
+                self._first_bounds = t, first
+            return first[1].copy()
         source, target = (z[rows] for z in self._thirds)
-        return angle_bounds(self._path, source, target, self._propagates[rows], self._stretch[rows], t)[1]
+        return angle_bounds(self._path, source, target, self._propagates[rows], self._stretch[rows], t, False)[1]
+
+    def _all_bounds(self, t: NDArray[np.float64]) -> Bounds:
+        """Bounds of all angles between neighbouring times; both proofs begin with the same times."""
+        if self._first_bounds is not None and np.array_equal(t, self._first_bounds[0]):
+            low, high = self._first_bounds[1]
+            self._first_bounds = None
+            return low, high
+        return angle_bounds(self._path, *self._thirds, self._propagates, self._stretch, t)
 
     def _angles_at(self, t: NDArray[np.float64], path: AreaPath) -> NDArray[np.float64]:
         """Angles at a, b, c of every triangle in tree order along the path "area", (m, 3, k)."""
@@ -237,6 +264,21 @@ class Leg:
         budgets = self.budgets if np.isfinite(self.budgets.low).any() else None
         shapes = hang(self._corners, self._children, z, e, t, path, budgets)
         return shapes, z
+
+
+def _too_short(intervals: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which intervals are divided no more; close to an end, where areas may change quickly, they are for longer."""
+    start, stop = intervals.T
+    away = np.minimum(start, 1.0 - stop)
+    return np.asarray(stop - start < np.where(away == 0.0, _LEAST, np.minimum(_SHORTEST, away / 16.0)))
+
+
+def _parts(start: float, stop: float) -> NDArray[np.float64]:
+    """An interval in four; a short one at an end in a geometric progression towards that."""
+    if stop - start < _SHORTEST:
+        return cut(start, stop)
+    knots = np.linspace(start, stop, 5)
+    return np.stack([knots[:-1], knots[1:]], axis=1)
 
 
 def left_below_full_turn(T: Triangulation) -> NDArray[np.float64]:

@@ -30,7 +30,6 @@ from tween.choices import PATHS, Path
 
 _LINE = -1.0  # the `end` of a straight piece; arcs have the end of the base about which they turn
 _MOST_PIECES = 5
-_FLATTEST = 1e-17  # sine of the angle difference of a triangle that rounding has made flat
 
 
 def third_vertices(
@@ -46,7 +45,7 @@ def third_vertices(
     Parameters
     ----------
     path : {"linear", "slide", "angle", "metric"}
-        "area" depends on the parents, see `area_apex`.
+        "area" depends on the parents, see `.area_thirds`.
     source, target : ndarray of complex, shape (m,)
         Third vertices over the base from 0 to 1, in the upper half plane.
     propagates : ndarray of bool, shape (m, 2)
@@ -96,7 +95,7 @@ def third_vertices(
     if path == "angle":
         return np.asarray(_apexes(base_angles(source), base_angles(target), times))
     if path == "metric":
-        return _by_metric(source, target, stretch, times)
+        return np.asarray(_by_metric(source, target, stretch, times))
     raise ValueError(f"path is {path!r}, expected one of {', '.join(PATHS)}")
 
 
@@ -157,47 +156,23 @@ def _apexes(first, last, times):
     return z
 
 
-def _by_metric(
-    source: NDArray[np.complex128],
-    target: NDArray[np.complex128],
-    stretch: NDArray[np.float64],
-    times: NDArray[np.float64],
-) -> NDArray[np.complex128]:
+@njit(cache=True)
+def _by_metric(source, target, stretch, times):
     """Average the Gram matrices of base and edge to 0.
 
     With weights p, q of sum 1, in proportion to the squared bases, the real part of z is the mean of the two, and
     the square of the imaginary part the mean of the squares plus p q times the squared difference of the
     real parts: positive, and free of cancellation.
     """
-    weight = times * (stretch**2)[:, None]
-    p, q = (1 - times) / (1 - times + weight), weight / (1 - times + weight)
-    x1, y1, x2, y2 = (part[:, None] for part in (source.real, source.imag, target.real, target.imag))
-    return p * x1 + q * x2 + 1j * np.sqrt(p * y1**2 + q * y2**2 + p * q * (x1 - x2) ** 2)
-
-
-@njit(cache=True)
-def area_apex(height, above, below):
-    """The third vertex at a height h over the base, with a difference d of the angles at 0 and at 1.
-
-    Given are ``above`` = pi + d and ``below`` = pi - d, of which the smaller one is precise even where the
-    triangle is flat.  The foot is 1/2 + w with tan d = -2 h w / (1/4 - w**2 + h**2); of the two solutions that for
-    which d has the sign of the larger angle, written so that nothing cancels.
-    """
-    # sine and cosine of d, by way of the smaller angle: where d is near pi or -pi, d itself has lost its digits
-    s, c = (math.sin(below), -math.cos(below)) if below < above else (-math.sin(above), -math.cos(above))
-    if abs(s) < _FLATTEST:
-        s = math.copysign(_FLATTEST, above - below)  # the sign of d: on which side the foot is far out
-    root = math.sqrt(height * height + 0.25 * s * s)
-    # the same root in two forms; each is used where it adds numbers of one sign
-    w = -s * (height * height + 0.25) / (height * c + root) if c > 0.0 else (height * c - root) / s
-    return complex(0.5 + w, height)
-
-
-@njit(cache=True)
-def bernstein(c, t):
-    """The cubic with four coefficients in Bernstein form; of positive ones it is precise, however small."""
-    s = 1.0 - t
-    return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3])
+    z = np.empty((source.size, times.size), np.complex128)
+    for i in range(source.size):
+        x1, x2, square = source[i].real, target[i].real, stretch[i] * stretch[i]
+        y1, y2, apart = source[i].imag ** 2, target[i].imag ** 2, (x1 - x2) ** 2
+        for f in range(times.size):
+            s, weight = 1.0 - times[f], times[f] * square
+            p, q = s / (s + weight), weight / (s + weight)
+            z[i, f] = complex(p * x1 + q * x2, math.sqrt(p * y1 + q * y2 + p * q * apart))
+    return z
 
 
 def slides(

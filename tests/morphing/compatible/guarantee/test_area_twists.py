@@ -6,7 +6,7 @@ import pytest
 from tween import gallery
 from tween.gallery import random_disk
 from tween.morphing.compatible.guarantee.area_twists import kept_below_full_turn, straight_area_path
-from tween.morphing.compatible.leg import Leg
+from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.triangulating.decomposition import triangulate
 
 TIMES = np.linspace(0, 1, 101)
@@ -62,3 +62,10 @@ def test_without_twists_that_help_all_triangles_in_doubt_are_blended_and_it_ends
         path, corners, np.full((2, 5), 0.1), lambda t, p: np.ones((3, 3, len(t))), lambda p: np.arange(5) == 4
     )
     assert found.blend.tolist() == [0, 0, 1]
+
+
+@pytest.mark.parametrize("letter", ["L", "O", "Z"])
+def test_letters_whose_areas_change_quickly_close_to_the_disk_are_proved_without_blending(letter):
+    T = triangulate(gallery.letter(letter))
+    leg = Leg(T, T.on_disk().points, "area", root_triangle("disk-center", T, T.on_disk()), guarantee=True)
+    assert (leg.area_path.blend == 0).all()

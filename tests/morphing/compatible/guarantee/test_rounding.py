@@ -8,7 +8,7 @@ import pytest
 
 from tween import gallery
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, _cut, first_doubt
+from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, cut, first_doubt
 from tween.morphing.compatible.leg import Leg
 from tween.triangulating.decomposition import triangulate
 
@@ -71,7 +71,7 @@ def test_an_end_serves_for_times_so_close_that_nothing_moves():
 
 @pytest.mark.parametrize(("start", "end"), [(0.0, 1.0), (0.25, 0.5), (0.0, 2.0**-20), (1 - 2.0**-20, 1.0)])
 def test_parts_of_an_interval_cover_it(start, end):
-    parts = _cut(start, end)
+    parts = cut(start, end)
     assert parts[0, 0] == start and parts[-1, 1] == end
     assert (parts[1:, 0] == parts[:-1, 1]).all() and (parts[:, 0] < parts[:, 1]).all()
 

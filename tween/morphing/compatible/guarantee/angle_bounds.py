@@ -40,7 +40,6 @@ from numpy.typing import NDArray
 from tween.choices import Path
 from tween.morphing.compatible.paths import (
     base_angles,
-    corner_angles,
     path_lengths,
     slides,
     third_angle,
@@ -60,6 +59,7 @@ def angle_bounds(
     propagates: NDArray[np.bool_],
     stretch: NDArray[np.float64],
     times: NDArray[np.float64],
+    both: bool = True,
 ) -> Bounds:
     """Bound the angles of every triangle from below and above between neighbouring times.
 
@@ -71,11 +71,13 @@ def angle_bounds(
         As for `third_vertices`, m of each.
     times : ndarray of float64, shape (k,)
         Increasing.
+    both : bool
+        Whether bounds from below are wanted, too.
 
     Returns
     -------
     low, high : ndarray of float64, shape (m, 3, k-1)
-        Radians, for the angles at 0, at 1 and at the third vertex.
+        Radians, for the angles at 0, at 1 and at the third vertex; low may be left out, and is then empty.
 
     Notes
     -----
@@ -92,13 +94,14 @@ def angle_bounds(
         first, last = base_angles(source)[..., None], base_angles(target)[..., None]
         return _between_ends((1 - times) * first + times * last)
     z = third_vertices(path, source, target, propagates, stretch, times)
+    high = np.empty((len(source), 3, len(times) - 1))
+    low = np.empty_like(high) if both else high[:0]
     if path == "metric":
-        low, high = _between_ends(corner_angles(z))
+        _from_ends(z, low, high)
         _add_peaks(low, high, source, target, stretch, times)
         return low, high
     bends = np.asarray(slides(source, target, propagates & (path == "slide")).any(axis=1))
     lengths = path_lengths(source, target, propagates & bends[:, None])
-    low, high = np.empty((len(source), 3, len(times) - 1)), np.empty((len(source), 3, len(times) - 1))
     _from_boxes(z, bends, lengths, np.minimum(source.imag, target.imag), times, low, high)
     return low, high
 
@@ -107,6 +110,24 @@ def _between_ends(angles: NDArray[np.float64]) -> Bounds:
     """The smaller and the larger of the angles, (m, 3, k), at neighbouring times."""
     before, after = angles[..., :-1], angles[..., 1:]
     return np.minimum(before, after), np.maximum(before, after)
+
+
+@njit(cache=True)
+def _from_ends(z, low, high):
+    """The smaller and the larger of the angles of third vertices z, (m, k), at neighbouring times; nan stays nan."""
+    for i in range(z.shape[0]):
+        before = (0.0, 0.0, 0.0)
+        for f in range(z.shape[1]):
+            x, y = z[i, f].real, z[i, f].imag
+            after = math.atan2(y, x), math.atan2(y, 1.0 - x), third_angle(x, y)
+            if f > 0:
+                for s in range(3):
+                    p, q = before[s], after[s]
+                    p, q = (p, q) if p < q else (q, p) if q <= p else (math.nan, math.nan)
+                    high[i, s, f - 1] = q
+                    if len(low):
+                        low[i, s, f - 1] = p
+            before = after
 
 
 @njit(cache=True)
@@ -122,21 +143,31 @@ def _from_boxes(z, bends, lengths, floors, times, low, high):
                 floor = floors[i] - wide
                 wide += 0.5 * math.sqrt(max(length * length - abs(q - p) ** 2, 0.0)) + _ROUNDING_OF_LENGTHS * length
                 low_y, high_y = max(low_y - wide, floor, 0.0), high_y + wide
-            box_angles(min(p.real, q.real) - wide, max(p.real, q.real) + wide, low_y, high_y, low, high, i, f)
+            low_x, high_x = min(p.real, q.real) - wide, max(p.real, q.real) + wide
+            high[i, 0, f], high[i, 1, f], high[i, 2, f] = _largest_in_box(low_x, high_x, low_y, high_y)
+            if len(low):
+                low[i, 0, f], low[i, 1, f], low[i, 2, f] = _least_in_box(low_x, high_x, low_y, high_y)
 
 
-@njit(cache=True, inline="always")
-def box_angles(low_x, high_x, low_y, high_y, low, high, i, f):
-    """Write the bounds of the three angles of a third vertex in a box."""
-    high[i, 0, f] = math.atan2(high_y if low_x > 0.0 else low_y, low_x)
-    low[i, 0, f] = math.atan2(low_y if high_x > 0.0 else high_y, high_x)
-    high[i, 1, f] = math.atan2(high_y if high_x < 1.0 else low_y, 1.0 - high_x)
-    low[i, 1, f] = math.atan2(low_y if low_x < 1.0 else high_y, 1.0 - low_x)
+@njit(cache=True)
+def _largest_in_box(low_x, high_x, low_y, high_y):
+    """Bounds from above of the three angles of a third vertex in a box."""
+    a = math.atan2(high_y if low_x > 0.0 else low_y, low_x)
+    b = math.atan2(high_y if high_x < 1.0 else low_y, 1.0 - high_x)
     x = min(max(0.5, low_x), high_x)
     y = min(max(math.sqrt(max(x * (x - 1.0), 0.0)), low_y), high_y)
-    high[i, 2, f] = third_angle(x, y)
+    return a, b, third_angle(x, y)
+
+
+@njit(cache=True)
+def _least_in_box(low_x, high_x, low_y, high_y):
+    """Bounds from below of the three angles of a third vertex in a box."""
+    a = math.atan2(low_y if high_x > 0.0 else high_y, high_x)
+    b = math.atan2(low_y if low_x < 1.0 else high_y, 1.0 - low_x)
     far = low_x if abs(low_x - 0.5) > abs(high_x - 0.5) else high_x
-    low[i, 2, f] = min(third_angle(far, low_y), third_angle(far, high_y))
+    # the smaller angle is that of the vector to the right: one arc tangent does
+    low_d, high_d = far * (far - 1.0) + low_y * low_y, far * (far - 1.0) + high_y * high_y
+    return a, b, third_angle(far, low_y if low_d * high_y > high_d * low_y else high_y)
 
 
 @njit(cache=True)
@@ -160,8 +191,12 @@ def _add_peaks(low, high, source, target, stretch, times):
             s, t = abs(e1) / largest, abs(e0) / largest
             double_area = math.sqrt(s * s * p + s * t * mixed + t * t * q) * stretch[i]
             there = math.atan2(double_area, s * g0 + t * g1)
-            f = min(max(np.searchsorted(times, t / (s + t), side="right") - 1, 0), times.size - 2)
-            low[i, corner, f] = min(low[i, corner, f], there)
+            when = t / (s + t)
+            if when < times[0] - _ROUNDING or when > times[-1] + _ROUNDING:
+                continue
+            f = min(max(np.searchsorted(times, when, side="right") - 1, 0), times.size - 2)
+            if len(low):
+                low[i, corner, f] = min(low[i, corner, f], there)
             high[i, corner, f] = max(high[i, corner, f], there)
 
 

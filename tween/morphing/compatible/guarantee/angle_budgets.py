@@ -39,6 +39,8 @@ from tween.morphing.compatible.paths import apex, third_angle
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
 RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
 _ROUNDING = 1e-9  # of a sum of angles
+_AT_ONCE = 128  # triangles whose angles are bounded in all intervals rather than in each that is in doubt
+_ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
 
 
 class Budgets(NamedTuple):
@@ -171,39 +173,115 @@ def proved_budgets(
 
     Notes
     -----
-    Most vertices are proved by bounds in a few long intervals; short ones, which are tighter, are looked at around the
-    others only.  Seldom more costly than 129 frames.
+    Most vertices are proved by bounds in a few long intervals; those are divided, which makes bounds tighter, only
+    around the others, and for them only where little is left.  Seldom more costly than 129 frames.
     """
-    few, many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
-    vertices, known = np.zeros(corners.max() + 1, dtype=np.bool_), np.zeros(len(corners), dtype=np.bool_)
-    rough, fine = bounds(few, np.arange(len(corners))), np.zeros((len(corners), 3, _TIMES - 1))
-
-    def touches(some: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        return np.asarray(some[corners].any(axis=1))
-
-    def proved(rows: NDArray[np.bool_], angles: NDArray[np.float64]) -> NDArray[np.float64]:
-        sums = vertex_sums(corners[rows], angles[rows], len(vertices)).max(axis=1)
-        return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
-
-    def reach_plain(angles: NDArray[np.float64], times: NDArray[np.float64], rows: NDArray[np.bool_]) -> None:
-        plain = (1 - times) * first[rows, :, None] + times * last[rows, :, None]
-        angles[rows] = np.maximum(angles[rows], np.maximum(plain[..., :-1], plain[..., 1:]))
-
+    search = _Search(corners, first, last, bounds)
+    vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
     while True:
-        slack = proved(np.ones_like(known), rough)
-        near = touches(slack <= 0) & ~known
-        known |= near
-        fine[near] = bounds(many, np.flatnonzero(near))
-        slack = np.where(slack <= 0, proved(known, fine), slack)
+        slack = search.slack()
         over = (slack <= 0) & ~vertices
         if not over.any():
-            none = no_budgets(len(corners))
-            return budgets_at(vertices, corners, first, last, reserve) if vertices.any() else none, np.where(
-                vertices, np.nan, slack + _ROUNDING
+            budgets = (
+                budgets_at(vertices, corners, first, last, reserve) if vertices.any() else no_budgets(len(corners))
             )
+            return budgets, np.where(vertices, np.nan, slack + _ROUNDING)
         vertices |= over
-        for angles, times in ((rough, few), (fine, many)):
-            reach_plain(angles, times, touches(over))
+        search.reach_plain(vertices)
+
+
+class _Search:
+    """Bounds of all angles in long intervals of time, and in the parts of these where that does not do."""
+
+    def __init__(
+        self,
+        corners: NDArray[np.int64],
+        first: NDArray[np.float64],
+        last: NDArray[np.float64],
+        bounds: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.float64]],
+    ) -> None:
+        self._corners, self._first, self._last, self._bounds = corners, first, last, bounds
+        self._few, self._many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
+        self._rough, self._fine = bounds(self._few, np.arange(len(corners))), np.zeros((len(corners), 3, _TIMES - 1))
+        self._known = np.zeros((len(corners), _FEW_TIMES - 1), dtype=np.bool_)
+        self._plain: NDArray[np.bool_] = np.zeros(len(corners), dtype=np.bool_)
+
+    def slack(self) -> NDArray[np.float64]:
+        """What every vertex has left below 2 pi at least, but for roundings; shape (n,)."""
+        slack = _left(vertex_sums(self._corners, self._rough, self._corners.max() + 1))
+        doubtful = (slack <= 0).any(axis=1, keepdims=True) & (slack <= _ENOUGH)
+        if doubtful.any():
+            self._refine(_touched(doubtful, self._corners) & ~self._known)
+            slack = np.where(doubtful, _left(largest_sums_in(doubtful, self._corners, self._fine)), slack)
+        return np.asarray(slack.min(axis=1))
+
+    def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
+        """Let the bounds of triangles with a budgeted corner reach the path "angle"."""
+        self._plain = _touched(vertices, self._corners)
+        for angles, times in ((self._rough, self._few), (self._fine, self._many)):
+            _reach_plain(angles, self._plain, self._first, self._last, times)
+
+    def _refine(self, fresh: NDArray[np.bool_]) -> None:
+        """Bound the angles of triangles in the parts of long intervals, (m, long intervals)."""
+        parts, rows = (_TIMES - 1) // (_FEW_TIMES - 1), np.flatnonzero(fresh.any(axis=1))
+        if len(rows) <= _AT_ONCE:
+            self._bound(rows, 0, _TIMES - 1)
+            self._known[rows] = True
+            return
+        for f in np.flatnonzero(fresh.any(axis=0)).tolist():
+            self._bound(np.flatnonzero(fresh[:, f]), f * parts, (f + 1) * parts)
+        self._known |= fresh
+
+    def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
+        """Bound the angles of some triangles in some of the parts."""
+        times = self._many[start : stop + 1]
+        angles = self._bounds(times, rows)
+        _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
+        self._fine[rows, :, start:stop] = angles
+
+
+def _touched(some: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which triangles have a corner among some vertices, (n,), or (n, l) in each of several intervals."""
+    a, b, c = corners.T
+    return np.asarray(some[a] | some[b] | some[c])
+
+
+def _left(sums: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
+
+
+@njit(cache=True)
+def _reach_plain(angles, rows, first, last, times):
+    """Raise bounds of angles, (m, 3, k-1), in some rows to those of the path "angle"; nan stays nan."""
+    for i in np.flatnonzero(rows):
+        for s in range(3):
+            before = (1 - times[0]) * first[i, s] + times[0] * last[i, s]
+            for f in range(times.size - 1):
+                after = (1 - times[f + 1]) * first[i, s] + times[f + 1] * last[i, s]
+                angles[i, s, f] = max(angles[i, s, f], max(before, after)) if angles[i, s, f] >= 0.0 else math.nan
+                before = after
+
+
+@njit(cache=True)
+def largest_sums_in(asked, corners, angles):
+    """The largest sums of angles, (m, 3, k), at vertices within long intervals, (n, l), where asked for; nan stays."""
+    n, intervals = asked.shape
+    parts = angles.shape[2] // intervals
+    sums, largest = np.zeros((n, angles.shape[2])), np.zeros((n, intervals))
+    for i in range(len(corners)):
+        for s in range(3):
+            v = corners[i, s]
+            for f in range(intervals):
+                for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
+                    sums[v, g] += angles[i, s, g]
+    for v in range(n):
+        for f in range(intervals):
+            for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
+                if not sums[v, g] <= largest[v, f]:
+                    largest[v, f] = sums[v, g]
+                if sums[v, g] != sums[v, g]:
+                    break
+    return largest
 
 
 @njit(cache=True)
@@ -217,22 +295,37 @@ def vertex_sums(corners, angles, n):
     return sums
 
 
-@njit(cache=True, inline="always")
-def keep_to_budget(z, t, first, last, low, high):
-    """The third vertex, moved as little as the budgets of its triangle ask for."""
-    wanted = (math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real), third_angle(z.real, z.imag))
-    share = 1.0
-    for s in range(3):
-        if low[s] == math.inf:  # no budget here
+@njit(cache=True)
+def keep_to_budget(z, times, first, last, low, high):
+    """Move the third vertices of a triangle, (k,), in place, as little as its budgets ask for."""
+    for f in range(times.size):
+        s, t = 1 - times[f], times[f]
+        x, y = z[f].real, z[f].imag
+        share, a, b, c = 1.0, -1.0, -1.0, -1.0
+        if low[0] < math.inf:
+            a = math.atan2(y, x)
+            share = _allowed(share, a, s * first[0] + t * last[0], s * low[0] + t * high[0])
+        if low[1] < math.inf:
+            b = math.atan2(y, 1.0 - x)
+            share = _allowed(share, b, s * first[1] + t * last[1], s * low[1] + t * high[1])
+        if low[2] < math.inf:
+            c = third_angle(x, y)
+            share = _allowed(share, c, s * first[2] + t * last[2], s * low[2] + t * high[2])
+        if share == 1.0:
             continue
-        plain, limit = (1 - t) * first[s] + t * last[s], (1 - t) * low[s] + t * high[s]
-        if wanted[s] > limit:
-            share = min(share, max(0.0, limit - plain) / max(wanted[s] - plain, 1e-300))
-    if share == 1.0:
-        return z
-    back, on = (1 - share) * (1 - t), (1 - share) * t
-    return apex(
-        back * first[0] + on * last[0] + share * wanted[0],
-        back * first[1] + on * last[1] + share * wanted[1],
-        back * first[2] + on * last[2] + share * wanted[2],
-    )
+        a, b = a if a >= 0.0 else math.atan2(y, x), b if b >= 0.0 else math.atan2(y, 1.0 - x)
+        c = c if c >= 0.0 else third_angle(x, y)
+        back, on = (1 - share) * s, (1 - share) * t
+        z[f] = apex(
+            back * first[0] + on * last[0] + share * a,
+            back * first[1] + on * last[1] + share * b,
+            back * first[2] + on * last[2] + share * c,
+        )
+
+
+@njit(cache=True)
+def _allowed(share, wanted, plain, limit):
+    """The share of what is wanted beyond the path "angle" that one more corner allows."""
+    if wanted > limit:
+        return min(share, max(0.0, limit - plain) / max(wanted - plain, 1e-300))
+    return share

@@ -29,33 +29,34 @@ import math
 import numpy as np
 from numba import njit
 
-from tween.morphing.compatible.paths import apex, area_apex, bernstein, third_angle
+from tween.morphing.compatible.area_thirds import bernstein, foot, turned
+from tween.morphing.compatible.paths import third_angle
 
 _FOOT_ERROR = 2.0**-50  # over a base of length 1, however near to 0 the foot is
 _SUM_ERROR = 2.0**-46  # of sums of angles
 _ROUNDING = 2.0**-40  # of logarithms of lengths, and relative, of heights: more than laying out a deep tree makes
 
 
-@njit(cache=True, inline="always")
-def area_third(i, square, t, areas, above, below, blend, first, last):
-    """The third vertex of triangle i along the path "area", over a base of given squared length."""
-    height = ((1 - t) * areas[i, 0] + t * areas[i, 1]) / square
-    z = area_apex(height, bernstein(above[i], t), bernstein(below[i], t))
-    if blend[i] == 0.0:
-        return z
-    p, q, r = (1.0 - blend[i]), blend[i] * (1 - t), blend[i] * t
-    return apex(
-        p * math.atan2(z.imag, z.real) + q * first[i, 0] + r * last[i, 0],
-        p * math.atan2(z.imag, 1.0 - z.real) + q * first[i, 1] + r * last[i, 1],
-        p * third_angle(z.real, z.imag) + q * first[i, 2] + r * last[i, 2],
-    )
+@njit(cache=True)
+def with_ancestors(corners, children, vertices):
+    """The cells, (m, k-1), of the triangles at some vertices in some intervals, (n, k-1), and of their ancestors."""
+    m = len(corners)
+    cells = np.zeros((m, vertices.shape[1]), np.bool_)
+    for i in range(m - 1, -1, -1):  # children before their parents
+        for v in corners[i]:
+            cells[i] |= vertices[v]
+        for child in children[i]:
+            if child >= 0:
+                cells[i] |= cells[child]
+    return cells
 
 
 @njit(cache=True)
-def area_bounds(children, z, root, times, areas, above, below, blend, first, last):
+def area_bounds(children, z, root, times, areas, above, below, blend, first, last, cells):
     """Bounds of angles and of their rates, (m, 3, k-1) each, and (near, far) of the lengths of bases, (m, k-1).
 
-    Parameters: as for laying out, in tree order; z (m, k) and the lengths of the root's base (k) at the times.
+    Parameters: as for laying out, in tree order; z (m, k) and the lengths of the root's base (k) at the times; which
+    cells are wanted, (m, k-1), with those of their ancestors: nothing is written for others.
     """
     m, k = z.shape
     low, high = np.empty((m, 3, k - 1)), np.empty((m, 3, k - 1))
@@ -71,19 +72,30 @@ def area_bounds(children, z, root, times, areas, above, below, blend, first, las
         for s in range(2):
             if children[i, s] >= 0:
                 for f in range(k):
-                    ratio = abs(1.0 - z[i, f]) if s == 0 else abs(z[i, f])
-                    logs[children[i, s], f] = logs[i, f] + math.log(ratio)
+                    if (f > 0 and cells[i, f - 1]) or (f < k - 1 and cells[i, f]):
+                        ratio = abs(1.0 - z[i, f]) if s == 0 else abs(z[i, f])
+                        logs[children[i, s], f] = logs[i, f] + math.log(ratio)
         for f in range(k - 1):
+            if not cells[i, f]:
+                continue
             t0, t1 = times[f], times[f + 1]
-            v = rates[i, f, 0], rates[i, f, 1]
-            h, growth = _heights(t0, t1, areas[i], logs[i, f], logs[i, f + 1], near[i, f], far[i, f], v)
-            turn = _shape(i, f, t0, t1, h, growth, v, above[i], below[i], low, high, slow, fast)
+            v, growth, turn = (rates[i, f, 0], rates[i, f, 1]), (0.0, 0.0), (0.0, 0.0)
+            if blend[i] < 1.0:
+                h, growth = _heights(t0, t1, areas[i], logs[i, f], logs[i, f + 1], near[i, f], far[i, f], v)
+                turn = _shape(i, f, t0, t1, h, growth, v, above[i], below[i], low, high, slow, fast)
             if blend[i] > 0.0:
                 _mix(i, f, t0, t1, blend[i], first[i], last[i], low, high, slow, fast)
+            if children[i].max() < 0:
+                continue
+            a, b, c = (
+                _trig(low[i, 0, f], high[i, 0, f]),
+                _trig(low[i, 1, f], high[i, 1, f]),
+                _trig(low[i, 2, f], high[i, 2, f]),
+            )
             for s in range(3 if i == 0 else 2):
                 if children[i, s] >= 0:
-                    _pass_on(i, s, f, children[i, s], t1 - t0, v, growth, turn, blend[i],
-                             low, high, slow, fast, logs, rates, near, far)  # fmt: skip
+                    _pass_on(i, s, f, children[i, s], t1 - t0, v, growth, turn, blend[i], a, b, c,
+                             slow, fast, logs, rates, near, far)  # fmt: skip
     return low, high, slow, fast, np.exp(near - _ROUNDING), np.exp(far + _ROUNDING)
 
 
@@ -156,9 +168,10 @@ def _shape(i, f, t0, t1, h, growth, v, above, below, low, high, slow, fast):
         slow[i, :, f], fast[i, :, f] = -math.inf, math.inf
         return turn
     over, under = _cubic_range(above, t0, t1), _cubic_range(below, t0, t1)
-    few, much = area_apex(h[0], over[0], under[1]).real, area_apex(h[1], over[1], under[0]).real
+    (s0, c0), (s1, c1) = turned(over[0], under[1]), turned(over[1], under[0])  # of the least d, and of the greatest
+    few, much = 0.5 + foot(h[0], s0, c0), 0.5 + foot(h[1], s1, c1)
     low[i, 0, f], high[i, 0, f] = math.atan2(h[0], few + _FOOT_ERROR), math.atan2(h[1], much - _FOOT_ERROR)
-    other, another = area_apex(h[0], over[1], under[0]).real, area_apex(h[1], over[0], under[1]).real
+    other, another = 0.5 + foot(h[0], s1, c1), 0.5 + foot(h[1], s0, c0)
     low[i, 1, f] = math.atan2(h[0], 1.0 - other + _FOOT_ERROR)
     high[i, 1, f] = math.atan2(h[1], 1.0 - another - _FOOT_ERROR)
     low[i, 2, f] = min(third_angle(much, h[1]), third_angle(another, h[1]))
@@ -212,24 +225,23 @@ def _mix(i, f, t0, t1, weight, first, last, low, high, slow, fast):
 
 
 @njit(cache=True, inline="always")
-def _pass_on(i, s, f, child, dt, v, growth, turn, blend, low, high, slow, fast, logs, rates, near, far):
+def _pass_on(i, s, f, child, dt, v, growth, turn, blend, a, b, c, slow, fast, logs, rates, near, far):
     """What is known of the length of a child's base: bc for s = 0, ca for s = 1, ab for s = 2."""
     if s == 2:
         logs[child], near[child, f], far[child, f] = logs[0], near[0, f], far[0, f]
         rates[child, f] = rates[0, f]
         return
-    a, b, c = (low[i, 0, f], high[i, 0, f]), (low[i, 1, f], high[i, 1, f]), (low[i, 2, f], high[i, 2, f])
+    opposite = a if s == 0 else b
     if blend > 0.0:
-        of, to = _times(_cotangents(a if s == 0 else b), (slow[i, s, f], fast[i, s, f])), _cotangents(c)
-        third = _times(to, (slow[i, 2, f], fast[i, 2, f]))
+        of, third = _times(opposite[2], (slow[i, s, f], fast[i, s, f])), _times(c[2], (slow[i, 2, f], fast[i, 2, f]))
         rate = v[0] + of[0] - third[1], v[1] + of[1] - third[0]
     elif s == 0:
         rate = _edge_rate(b, a, c, v, growth, (-turn[1], -turn[0]))
     else:
         rate = _edge_rate(a, b, c, v, growth, turn)
-    sines, third = _sine_range(low[i, s, f], high[i, s, f]), _sine_range(c[0], c[1])
-    far_end = far[i, f] + math.log(sines[1] / third[0]) if third[0] > 0.0 else math.inf
-    near_end = near[i, f] + math.log(sines[0] / third[1]) if sines[0] > 0.0 else -math.inf
+    sines, under = opposite[0], c[0]
+    far_end = far[i, f] + math.log(sines[1] / under[0]) if under[0] > 0.0 else math.inf
+    near_end = near[i, f] + math.log(sines[0] / under[1]) if sines[0] > 0.0 else -math.inf
     reached = reach(logs[child, f], logs[child, f + 1], rate[0], rate[1], dt)
     near[child, f], far[child, f] = max(near_end, reached[0]), min(far_end, reached[1])
     rates[child, f] = rate
@@ -242,18 +254,21 @@ def _sine_range(low, high):
 
 
 @njit(cache=True)
-def _cotangents(angle):
-    low = math.cos(angle[1]) / math.sin(angle[1]) if angle[1] < math.pi else -math.inf
-    return low, math.cos(angle[0]) / math.sin(angle[0]) if angle[0] > 0.0 else math.inf
+def _trig(low, high):
+    """The ranges of sine, cosine and cotangent of an angle within bounds."""
+    first, last = math.sin(max(low, 0.0)), math.sin(min(high, math.pi))
+    sines = min(first, last), 1.0 if low < 0.5 * math.pi < high else max(first, last)
+    cosines = math.cos(high), math.cos(low)
+    least = cosines[0] / last if high < math.pi and last > 0.0 else -math.inf
+    return sines, cosines, (least, cosines[1] / first if first > 0.0 else math.inf)
 
 
 @njit(cache=True)
 def _edge_rate(a, b, c, v, growth, turn):
-    """The rate of the logarithm of ca, given intervals of angles, of u', of A'/A, and of d'."""
-    sa, sb, sc = _sine_range(a[0], a[1]), _sine_range(b[0], b[1]), _sine_range(c[0], c[1])
+    """The rate of the logarithm of ca, given ranges at the angles, and those of u', of A'/A, and of d'."""
+    (sa, of_a, _), (sb, of_b, cot_b), (sc, _, cot_c) = a, b, c
     if not (sa[0] > 0.0 and sb[0] > 0.0 and sc[0] > 0.0):
         return -math.inf, math.inf
-    of_a, of_b = (math.cos(a[1]), math.cos(a[0])), (math.cos(b[1]), math.cos(b[0]))
     r = sa[0] / sb[1], sa[1] / sb[0]
     mixed, squares = _times(of_a, of_b), _ordered(of_b[0] ** 2, of_b[1] ** 2)
     least = 0.0 if of_b[0] < 0.0 < of_b[1] else squares[0]
@@ -263,24 +278,33 @@ def _edge_rate(a, b, c, v, growth, turn):
     )
     changes, grows = _times(v, (1.0 - 2.0 * k[1], 1.0 - 2.0 * k[0])), _times(growth, k)
     p, q = 1.0 / (1.0 + r[1] * r[1]), 1.0 / (1.0 + r[0] * r[0])
-    turned, other = _times(_cotangents(c), (1.0 - 2.0 * q, 1.0 - 2.0 * p)), _times(_cotangents(b), (p, q))
-    turns = _times((turned[0] - other[1], turned[1] - other[0]), turn)
+    turned_by, other = _times(cot_c, (1.0 - 2.0 * q, 1.0 - 2.0 * p)), _times(cot_b, (p, q))
+    turns = _times((turned_by[0] - other[1], turned_by[1] - other[0]), turn)
     return changes[0] + grows[0] + turns[0], changes[1] + grows[1] + turns[1]
 
 
 @njit(cache=True)
-def largest_sums(corners, angles, high, slow, fast, times):
-    """Bounds of the sums of angles at each vertex, (n, k-1), from angles at the times, (m, 3, k), and their rates."""
-    m, _, k = angles.shape
+def largest_sums(corners, z, high, slow, fast, times, cells):
+    """Bounds of the sums of angles at each vertex, (n, k-1), from third vertices at the times, (m, k), and rates.
+
+    They are right at vertices all of whose triangles are wanted in an interval, see `area_bounds`.
+    """
+    m, k = z.shape
     sums, tops = np.zeros((m + 2, k)), np.zeros((m + 2, k - 1))
     slowest, fastest = np.zeros((m + 2, k - 1)), np.zeros((m + 2, k - 1))
     for i in range(m):
-        for s in range(3):
-            v = corners[i, s]
-            sums[v] += angles[i, s]
-            tops[v] += high[i, s]
-            slowest[v] += slow[i, s]
-            fastest[v] += fast[i, s]
+        of_a, of_b, of_c = corners[i]
+        for f in range(k):
+            if (f > 0 and cells[i, f - 1]) or (f < k - 1 and cells[i, f]):
+                x, y = z[i, f].real, z[i, f].imag
+                sums[of_a, f] += math.atan2(y, x)
+                sums[of_b, f] += math.atan2(y, 1.0 - x)
+                sums[of_c, f] += third_angle(x, y)
+        for f in range(k - 1):
+            for s in range(3 if cells[i, f] else 0):
+                tops[corners[i, s], f] += high[i, s, f]
+                slowest[corners[i, s], f] += slow[i, s, f]
+                fastest[corners[i, s], f] += fast[i, s, f]
     for v in range(m + 2):
         for f in range(k - 1):
             reached = reach(sums[v, f], sums[v, f + 1], slowest[v, f], fastest[v, f], times[f + 1] - times[f])[1]

@@ -157,7 +157,7 @@ def first_doubt(
             elif end - start <= _shortest(start, end) or len(bad) > _MOST:
                 return _doubt(corners, start, end, row)
             else:
-                again.append(_cut(start, end))
+                again.append(cut(start, end))
         intervals = np.concatenate(again) if again else np.empty((0, 2))
     return snaps[0], snaps[1]
 
@@ -173,8 +173,17 @@ def _doubt(corners: NDArray[np.int64], start: float, end: float, row: list[float
     return Doubt(start, end, rule, vertices, *row[2:])
 
 
-def _cut(start: float, end: float) -> NDArray[np.float64]:
-    """Parts of an interval; one at an end of the motion is cut in a geometric progression towards it."""
+def cut(start: float, end: float) -> NDArray[np.float64]:
+    """Cut an interval of time in four; one at an end of the motion in a geometric progression towards it.
+
+    Parameters
+    ----------
+    start, end : float
+
+    Returns
+    -------
+    ndarray of float64, shape (4, 2)
+    """
     share = np.linspace(0.0, 1.0, _PARTS + 1)
     if start == 0.0:
         share = np.array([0.0, 2.0**-6, 2.0**-4, 2.0**-2, 1.0])
@@ -199,9 +208,9 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
     m, intervals = near.shape
     found = np.zeros((intervals, 4))
     way, errors, spent = np.empty(m + 2), np.empty(m + 2), np.empty(m + 2)
-    depth, edges, heights = np.zeros(m), np.empty((m, 2)), np.empty(m)
+    depth, edges, heights, sines = np.zeros(m), np.empty((m, 2)), np.empty(m), np.empty((m, 2))
     for f in range(intervals):
-        areas = _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights)
+        areas = _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights, sines)
         extent = way.max()
         shrunk, grown = 1.0, 1.0
         if placing[1] > 0.0:
@@ -212,14 +221,14 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
             continue
         errors += _UNIT * (24.0 * extent + 4.0 * placing[0] / shrunk) + 2.0 * EXACT_RANGE[0] / shrunk
         spent[:] = 0.0
-        _spend(corners, children, low, high, f, near, errors, edges, spent)
+        _spend(corners, children, f, near, errors, edges, sines, spent)
         _judge(corners, heights, errors, spent, slack, f, found)
     return found
 
 
 @njit(cache=True, inline="always")
-def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights):
-    """Carry lengths and errors down the tree; least heights too, and bounds of the total area."""
+def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights, sines):
+    """Carry lengths and errors down the tree; least heights and some sines too, and bounds of the total area."""
     least, greatest = 0.0, 0.0
     way[corners[0, 0]], way[corners[0, 1]] = 0.0, far[0, f]
     errors[corners[0, 0]], errors[corners[0, 1]] = 0.0, 0.0
@@ -232,7 +241,7 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
         )
         shorter, longer = near[i, f] / c1, (far[i, f] / c0 if c0 > 0.0 else math.inf)
         bc, ca = (a0 * shorter, a1 * longer), (b0 * shorter, b1 * longer)
-        edges[i, 0], edges[i, 1] = bc[0], ca[0]
+        edges[i, 0], edges[i, 1], sines[i, 0], sines[i, 1] = bc[0], ca[0], a0, b1
         heights[i] = min(max(ca[0] * a0, bc[0] * b0), near[i, f] * min(a0, b0))
         least += 0.5 * near[i, f] * max(ca[0] * a0, bc[0] * b0)
         greatest += 0.5 * far[i, f] * min(ca[1] * a1, bc[1] * b1)
@@ -249,12 +258,12 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
 
 
 @njit(cache=True, inline="always")
-def _spend(corners, children, low, high, f, near, errors, edges, spent):
+def _spend(corners, children, f, near, errors, edges, sines, spent):
     """Add up what each vertex needs: the turns of its boundary edges, and the roundings of its angles."""
     for i in range(len(corners)):
-        a, b, c = corners[i, 0], corners[i, 1], corners[i, 2]
-        a0 = _sines(low[i, 0, f], high[i, 0, f])[0]
-        of_z = _ANGLE_ERROR * (2.0 + (_sines(low[i, 1, f], high[i, 1, f])[1] / a0 if a0 > 0.0 else math.inf))
+        a, b, c = corners[i]
+        a0, b1 = sines[i]  # the least sine of a, the greatest of b
+        of_z = _ANGLE_ERROR * (2.0 + (b1 / a0 if a0 > 0.0 else math.inf))
         spent[a] += 2.0 * _ANGLE_ERROR
         spent[b] += of_z
         spent[c] += of_z
