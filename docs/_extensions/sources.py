@@ -18,7 +18,7 @@ GALLERY = "examples"  # the pages that the gallery makes
 # A picture or a link of a notebook, to a file of the project outside the folder of the notebooks.
 LINK = re.compile(r"(?P<mark>!?)\[(?P<text>[^]]*)\]\(\.\./(?P<path>[^)#\s]+)\)")
 
-PICTURE = re.compile(r'<img [^>]*\bsrc="\.\./([^"#]+)"')
+PICTURE = re.compile(r'<img [^>]*\bsrc="([^":#]+)"')
 
 
 def gather(folder: Path) -> Path:
@@ -41,8 +41,9 @@ def copy_pictures(folder: Path) -> None:
     for notebook in (ROOT / "notebooks").glob("*.ipynb"):
         for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
             for name in PICTURE.findall("".join(cell["source"])) if cell["cell_type"] == "markdown" else []:
-                (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(ROOT / name, folder / name)
+                path = (notebook.parent / name).resolve().relative_to(ROOT)
+                (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(ROOT / path, folder / path)
 
 
 def _sources() -> Iterator[tuple[Path, bytes]]:
