@@ -242,6 +242,7 @@ def as_mathml(self: HTML5Translator, node: nodes.math | nodes.math_block) -> Non
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register what is above; read the sources where they are gathered, below the output."""
     app.srcdir = type(app.srcdir)(sources.gather(Path(app.doctreedir) / "sources"))
+    sources.copy_pictures(Path(app.outdir))
     app.connect("autodoc-process-docstring", draw_as_drawn, priority=100)  # before napoleon, whose priority is 500
     app.connect("autodoc-process-docstring", join_sentence, priority=900)
     app.connect("autodoc-process-docstring", keep_initials, priority=900)

@@ -6,6 +6,7 @@ copied below the output, and nothing is written beside the sources.
 
 import json
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +17,8 @@ GALLERY = "examples"  # the pages that the gallery makes
 
 # A picture or a link of a notebook, to a file of the project outside the folder of the notebooks.
 LINK = re.compile(r"(?P<mark>!?)\[(?P<text>[^]]*)\]\(\.\./(?P<path>[^)#\s]+)\)")
+
+PICTURE = re.compile(r'<img [^>]*\bsrc="([^":#]+)"')
 
 
 def gather(folder: Path) -> Path:
@@ -31,6 +34,16 @@ def gather(folder: Path) -> Path:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
     return folder
+
+
+def copy_pictures(folder: Path) -> None:
+    """Copy what the notebooks show by HTML of their own, which Sphinx leaves as it is, to where that looks for it."""
+    for notebook in (ROOT / "notebooks").glob("*.ipynb"):
+        for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
+            for name in PICTURE.findall("".join(cell["source"])) if cell["cell_type"] == "markdown" else []:
+                path = (notebook.parent / name).resolve().relative_to(ROOT)
+                (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(ROOT / path, folder / path)
 
 
 def _sources() -> Iterator[tuple[Path, bytes]]:
