@@ -4,6 +4,7 @@ import inspect
 import os
 import pkgutil
 import re
+import sys
 import tomllib
 from importlib import import_module
 from pathlib import Path
@@ -22,6 +23,9 @@ from sphinx.writers.html5 import HTML5Translator
 import tween
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "_extensions"))
+
+import sources  # noqa: E402  what lies beside this file
 
 project = "tween"
 author = "The tween developers"
@@ -35,7 +39,11 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
     "matplotlib.sphinxext.plot_directive",
+    "sphinx_gallery.gen_gallery",
+    "sphinx_copybutton",
+    "myst_nb",
 ]
+exclude_patterns = [sources.SCRIPTS]
 
 # Docstrings: `name` in single backquotes is a name of tween; types are explained in words, with shapes and units.
 default_role = "py:obj"
@@ -57,6 +65,35 @@ plot_formats = [("png", 200)]
 plot_pre_code = ""
 plot_rcparams = dict(rc_params_from_file(HERE.parent / "tween" / "plot" / "tween.mplstyle", use_default_template=False))
 plot_apply_rcparams = True
+
+# The gallery: each script is run, and what it prints, draws and writes is shown.  Times of a run are not.
+sphinx_gallery_conf = {
+    "examples_dirs": sources.SCRIPTS,
+    "gallery_dirs": sources.GALLERY,
+    "filename_pattern": r"\.py$",
+    "within_subsection_order": "FileNameSortKey",
+    "image_scrapers": ("films", "matplotlib"),
+    "capture_repr": (),
+    "notebook_extensions": set(),
+    "download_all_examples": False,
+    "remove_config_comments": True,
+    "min_reported_time": 1e9,
+    "write_computation_times": False,
+    "show_signature": False,
+    "backreferences_dir": None,
+    "abort_on_example_error": True,
+}
+
+# The notebooks are shown as they were last run; their widgets would need scripts from elsewhere.
+nb_execution_mode = "off"
+nb_ipywidgets_js: dict[str, dict[str, str]] = {}
+nb_merge_streams = True
+myst_enable_extensions = ["dollarmath"]
+
+# What is copied of a console is what was typed.
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
+copybutton_line_continuation_character = "\\"
 
 COLOURED = ("brand-primary", "brand-content", "api-name", "api-pre-name")
 html_theme = "furo"
@@ -195,14 +232,16 @@ def lead_back(app: Sphinx, name: str, template: str, context: dict[str, Any], do
 def as_mathml(self: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
     """Write a formula in MathML, which browsers show by themselves: no script, no font, no network."""
     block = isinstance(node, nodes.math_block)
-    formula = tex2mathml(node.astext().translate(unichar2tex.uni2tex_table), as_block=block)
+    text = node.astext().translate(unichar2tex.uni2tex_table).replace(r"\dots", r"\ldots")  # which docutils knows
+    formula = tex2mathml(text, as_block=block)
     formula = re.sub(r"\s*\n\s*", "", formula)
     self.body.append(f'<div class="formula">{formula}</div>\n' if block else formula)
     raise nodes.SkipNode
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register what is above."""
+    """Register what is above; read the sources where they are gathered, below the output."""
+    app.srcdir = type(app.srcdir)(sources.gather(Path(app.doctreedir) / "sources"))
     app.connect("autodoc-process-docstring", draw_as_drawn, priority=100)  # before napoleon, whose priority is 500
     app.connect("autodoc-process-docstring", join_sentence, priority=900)
     app.connect("autodoc-process-docstring", keep_initials, priority=900)

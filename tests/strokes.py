@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween import gallery
-from tween.app.playground.footage import fit
+from tween.app.playground.fields import fitting
 
 LOOP, DISK = {"name": "loop"}, {"name": "disk"}
 
@@ -34,5 +34,6 @@ def bows() -> NDArray[np.float64]:
 
 def traced(name: str) -> NDArray[np.float64]:
     """Places of a hand that traces a curve of the gallery."""
-    points = np.reshape(fit(gallery.curve(name).points), (-1, 2))
+    curve = gallery.curve(name).points
+    points = np.reshape(fitting(curve).forth(curve), (-1, 2))
     return np.concatenate([points, points[:1]])

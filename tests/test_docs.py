@@ -1,10 +1,13 @@
 """The documentation: it builds without a warning, its code runs, its links lead somewhere, and nothing is fetched."""
 
 import doctest
+import importlib.util
 import inspect
+import json
 import os
 import pkgutil
 import re
+import runpy
 import shlex
 import subprocess
 import sys
@@ -25,6 +28,8 @@ ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 REFERENCE = sorted((DOCS / "api").rglob("*.rst"))
 PAGES = sorted(set(DOCS.rglob("*.rst")) - set(REFERENCE))
+SCRIPTS = sorted((DOCS / "examples").glob("*.py"))
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
@@ -201,6 +206,68 @@ def test_commands_are_told_from_their_answers() -> None:
     assert shlex.split(second) == ["tween", "morph", "a", "b", "-o", "c.gif"]
 
 
+# The gallery of examples
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_a_script_of_the_gallery_runs_and_shows_something(
+    script: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if ".mp4" in script.read_text(encoding="utf-8"):
+        pytest.importorskip("imageio_ffmpeg", reason="needs the extra 'video': pip install '.[video]'")
+    monkeypatch.chdir(tmp_path)
+    with plt.rc_context():
+        runpy.run_path(str(script), run_name="__main__")
+    shown = [*plt.get_fignums(), *tmp_path.glob("*.gif"), *tmp_path.glob("*.svg")]
+    plt.close("all")
+    assert shown
+    assert capsys.readouterr().out
+
+
+def test_scripts_of_the_gallery_are_short() -> None:
+    assert len(SCRIPTS) >= 10
+    assert max(len(script.read_text(encoding="utf-8").splitlines()) for script in SCRIPTS) <= 50
+
+
+# What is gathered for the build
+
+
+@pytest.fixture(scope="module")
+def sources() -> ModuleType:
+    """Load what gathers the sources of the documentation."""
+    spec = importlib.util.spec_from_file_location("sources", DOCS / "_extensions" / "sources.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_what_a_notebook_shows_is_gathered_and_what_leads_to_a_folder_is_plain(sources: ModuleType) -> None:
+    text = "![a](../results/figures/gallery.png), [b](../experiments/studies) and [c](01_immersions.ipynb)"
+    notebook = {"cells": [{"cell_type": "markdown", "source": [text]}, {"cell_type": "code", "source": ["x = 1"]}]}
+    told, files = sources.told_of_files(json.dumps(notebook))
+    assert files == {Path("results/figures/gallery.png")}
+    assert json.loads(told)["cells"][0]["source"] == text.replace("[b](../experiments/studies)", "b")
+    assert json.loads(told)["cells"][1] == notebook["cells"][1]
+
+
+def test_sources_that_are_gathered_again_are_left_as_they_are_and_stale_ones_go(
+    sources: ModuleType, tmp_path: Path
+) -> None:
+    sources.gather(tmp_path)
+    page, stale, made = (tmp_path / name for name in ("index.rst", "howto/stale.rst", "examples/index.rst"))
+    page.write_text("changed")
+    for path in (stale, made):
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("")
+    before = (tmp_path / "mathematics.rst").stat().st_mtime_ns
+    sources.gather(tmp_path)
+    assert page.read_bytes() == (DOCS / "index.rst").read_bytes()
+    assert (stale.exists(), made.exists()) == (False, True)
+    assert (tmp_path / "mathematics.rst").stat().st_mtime_ns == before
+
+
 # The built pages
 
 
@@ -276,6 +343,7 @@ def test_the_links_and_pictures_of_the_built_pages_exist(built: Path) -> None:
 @pytest.mark.slow
 def test_names_in_the_prose_are_names_of_the_reference(built: Path) -> None:
     prose = [built / f"{name_of(page)}.html" for page in PAGES if page.stem != "inside"]
+    prose += [built / "examples" / f"{script.stem}.html" for script in SCRIPTS]
     unresolved = {str(page): Page(page.read_text(encoding="utf-8")).unresolved for page in prose}
     assert {page: names for page, names in unresolved.items() if names} == {}
 
@@ -285,6 +353,49 @@ def test_the_built_pages_fetch_nothing(built: Path) -> None:
     assert {load for page in pages(built).values() for load in page.loads if re.match(r"(\w+:)?//", load)} == set()
     styles = "\n".join(path.read_text(encoding="utf-8") for path in built.rglob("*.css"))
     assert re.findall(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//[^)\"']*", styles) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_a_script_of_the_gallery_has_a_page_with_pictures_and_a_thumbnail(script: Path, built: Path) -> None:
+    pictures = f"_images/sphx_glr_{script.stem}_"
+    assert f"{pictures}0" in (built / "examples" / f"{script.stem}.html").read_text(encoding="utf-8")
+    assert f"{pictures}thumb" in (built / "examples" / "index.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_a_notebook_is_shown_with_its_stored_pictures(notebook: Path, built: Path) -> None:
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    stored = sum("image/png" in output.get("data", {}) for cell in cells for output in cell.get("outputs", []))
+    page = (built / "notebooks" / f"{notebook.stem}.html").read_text(encoding="utf-8")
+    assert len(re.findall(r'<img [^>]*src="\.\./_images/', page)) >= stored > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("word", "page"),
+    [
+        ("hole", "howto/recognise"),
+        ("loop", "howto/keyframes"),
+        ("loop", "examples/09_looping_keyframes"),
+        ("repair", "howto/repair"),
+        ("landmark", "howto/landmarks"),
+        ("keyfram", "howto/keyframes"),
+    ],
+)
+def test_a_search_finds_the_page_about_it(word: str, page: str, built: Path) -> None:
+    text = (built / "searchindex.js").read_text(encoding="utf-8")
+    index = json.loads(text[text.index("{") : text.rindex("}") + 1])
+    places = index["titleterms"].get(word, [])
+    found = [index["docnames"][i] for i in ([places] if isinstance(places, int) else places)]
+    assert page in found
+
+
+@pytest.mark.slow
+def test_code_can_be_copied(built: Path) -> None:
+    page = Page((built / "howto" / "command_line.html").read_text(encoding="utf-8"))
+    assert any("copybutton.js" in load for load in page.loads)
 
 
 def test_a_link_to_nowhere_is_seen(tmp_path: Path) -> None:

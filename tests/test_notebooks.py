@@ -193,7 +193,43 @@ def test_the_links_and_pictures_of_a_notebook_exist(path: Path) -> None:
     ] == []
 
 
+def unexplained(cells: list[Any]) -> list[str]:
+    """Name each stored figure that is shown without a link to the code that draws it, in the text before it."""
+    faults, link = [], False
+    for cell in cells:
+        if cell.cell_type == "markdown":
+            link = "](../experiments/figures/" in cell.source
+        elif 'Image("../results/figures/' in cell.source and not link:
+            faults.append(cell.source.splitlines()[-1])
+    return faults
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_stored_figure_has_a_link_to_the_code_that_draws_it(path: Path) -> None:
+    assert unexplained(cells_of(path)) == []
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS[:-1], ids=lambda path: path.stem)
+def test_a_notebook_leads_to_the_next(path: Path) -> None:
+    following = NOTEBOOKS[NOTEBOOKS.index(path) + 1]
+    title = cells_of(following)[0].source.splitlines()[0].removeprefix("# ")
+    assert f"Next: [{title}]({following.name})" in cells_of(path)[-1].source
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_notebook_holds_no_widget_which_would_be_an_error_to_whoever_opens_it(path: Path) -> None:
+    kinds = {kind for cell in cells_of(path) for output in cell.get("outputs", []) for kind in output.get("data", {})}
+    assert kinds & {"application/vnd.jupyter.widget-view+json", "application/vnd.jupyter.widget-state+json"} == set()
+
+
 # The checks themselves
+
+
+def test_a_figure_without_its_code_is_seen() -> None:
+    shown = code('Image("../results/figures/gallery.png")')
+    line = markdown("*How the figure below is drawn: [gallery.py](../experiments/figures/paper/gallery.py).*")
+    assert unexplained([line, code("x = 1"), shown]) == []
+    assert unexplained([line, markdown("More."), shown]) == ['Image("../results/figures/gallery.png")']
 
 
 def markdown(source: str) -> Any:

@@ -1,5 +1,10 @@
-"""Draw every figure."""
+"""Draw every figure, or those that are named: ``python -m experiments.figures figure_04_interiors verdicts``."""
 
-from experiments.figures.everything import save_all
+import sys
 
-save_all()
+from experiments.figures.everything import save_all, save_some
+
+if len(sys.argv) > 1:
+    save_some(sys.argv[1:])
+else:
+    save_all()

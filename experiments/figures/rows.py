@@ -29,7 +29,9 @@ def places(T: Triangulation) -> NDArray[np.float64]:
     return np.asarray(total / (T.degrees - 1) / max(1, along.max()))
 
 
-def draw_layers(ax: Axes, T: Triangulation, place: NDArray[np.float64], first: int, outline: float = 1.0) -> None:
+def draw_layers(
+    ax: Axes, T: Triangulation, place: NDArray[np.float64], first: int, outline: float = 1.0, inner: float = 0.25
+) -> None:
     """Draw the triangles one over the other, from those at a vertex on, so that upper layers veil lower ones.
 
     Flips come and go but vertices stay, so a triangle has the colour of the mean place of its corners.
@@ -39,7 +41,7 @@ def draw_layers(ax: Axes, T: Triangulation, place: NDArray[np.float64], first: i
     art: list[tuple[Path, Any, Any, float]] = []
     for row in np.argsort(hops(T, start), kind="stable"):
         corners = T.triangles[row]
-        art.append((Path(T.points[[*corners, corners[0]]]), colors[row], EDGE, 0.25))
+        art.append((Path(T.points[[*corners, corners[0]]]), colors[row], EDGE, inner))
         sides = zip(corners, np.roll(corners, -1), strict=True)
         art += [(Path(T.points[[a, b]]), "none", draw.INK, outline) for a, b in sides if b == (a + 1) % len(T)]
     paths, faces, edges, widths = zip(*art, strict=True)
@@ -60,6 +62,7 @@ def draw_row(
     dots: Sequence[int] = (0, SHAPES - 1),
     mark: int | None = None,
     sizes: Sequence[float] = (1.0,) * SHAPES,
+    inner: float = 0.25,
 ) -> None:
     """Draw shapes of a morph in even steps of time, each as large as its axes allow; dot the pivot in some.
 
@@ -70,7 +73,7 @@ def draw_row(
     mark = m.alignment.pivot if mark is None else mark
     scales = [size / reach(points) for size, points in zip(sizes, shapes, strict=True)]
     for number, (ax, t, points) in enumerate(zip(axes, TIMES, shapes, strict=True)):
-        draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, bottom(m))
+        draw_layers(ax, Triangulation(points, m.triangles_at(t)), place, bottom(m), inner=inner)
         if mark is not None and number in dots:
             ax.scatter(points[mark, 0], points[mark, 1], s=16, color=draw.PIVOT, linewidths=0, zorder=5)
         fit(ax, points)
@@ -103,6 +106,11 @@ def bands(figure: Figure, heights: Sequence[float]) -> list[SubFigure]:
     """Divide a figure into bands, one below the other."""
     grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
     return [figure.add_subfigure(grid[row, 0]) for row in range(len(heights))]
+
+
+def write_above(part: SubFigure, text: str) -> None:
+    """The heading of a band."""
+    part.suptitle(text, x=0.01, ha="left", fontsize=9)
 
 
 def scale_label(scale: float) -> str:

@@ -108,3 +108,10 @@ def test_similar_shapes_are_not_distorted(T: Triangulation, scale: float, angle:
     cost = distortion(T.points, T.points @ turn + [3, -1])(T.triangles)
     np.testing.assert_allclose(cost, 4 * T.areas / T.areas.sum(), rtol=1e-6)
     assert cost.sum() == pytest.approx(4, rel=1e-6)
+
+
+@pytest.mark.parametrize("flat", [[0, 1, 2], [1, 0, 3]])
+def test_a_triangle_that_is_flat_or_turned_in_floating_point_costs_infinitely_much(flat: list[int]) -> None:
+    shape = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])
+    for source, target in ((shape, circle(5)), (circle(5), shape), (shape, shape)):
+        assert distortion(source, target)(np.array([flat])).tolist() == [np.inf]

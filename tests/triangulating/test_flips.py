@@ -11,7 +11,7 @@ from strategies import Points, convex_triangulations, disks, grid_polygons, mirr
 
 from tween import Triangulation, decompose, remesh
 from tween.gallery import curve, names, random_disk
-from tween.triangulating.flips import flip, flippable, locally_delaunay
+from tween.triangulating.flips import flip, flippable, flips_to_delaunay, locally_delaunay
 
 DART = Triangulation([(0, 0), (2, 0), (0.5, 0.5), (0, 2)], [(0, 1, 2), (0, 2, 3)])
 
@@ -55,6 +55,17 @@ def test_a_remeshed_disk_is_valid_and_delaunay(T: Triangulation) -> None:
     assert locally_delaunay(R).all()
     assert len(R.diagonals) == len(T) - 3
     assert key(remesh(R)) == key(R)
+
+
+def test_step_by_step_each_flip_is_valid_and_the_end_is_that_of_remeshing() -> None:
+    start = decompose(curve("pretzel")).sample(np.random.default_rng(3))
+    steps = list(flips_to_delaunay(start))
+    assert steps[0] is start
+    assert len(steps) > 10
+    for before, after in pairwise(steps):
+        assert len(key(before.validate()) - key(after.validate())) == 2
+        assert is_above(sorted_angles(after), sorted_angles(before))
+    assert key(steps[-1]) == key(remesh(start))
 
 
 @pytest.mark.slow

@@ -22,7 +22,7 @@ from tween.io.formats.readers import points_of, read_arrays, read_json
 from tween.io.formats.svg import read_svg
 from tween.io.formats.svg_path import MOST_POINTS, checked, flattened
 from tween.io.formats.tables import read_csv
-from tween.io.formats.whole_files import LARGEST_FILE, AnyPath, content_of, naming, suffix_of
+from tween.io.formats.whole_files import LARGEST_FILE, AnyPath, check_size, content_of, naming, suffix_of
 
 _Floats = NDArray[np.float64]
 
@@ -140,8 +140,7 @@ def _is_path_data(path: str) -> bool:
 def _read(path: AnyPath, tolerance: float | None) -> Content:
     if path == "-":
         data = sys.stdin.buffer.read(LARGEST_FILE + 1)
-        if not 0 < len(data) <= LARGEST_FILE:
-            raise FileError(f"has {len(data) or 'no'} bytes, expected 1 to {LARGEST_FILE}")
+        check_size(len(data))
         start = data.removeprefix(b"\xef\xbb\xbf").lstrip()
         suffix = next((suffix for begin, suffix in _BEGINNINGS.items() if start.startswith(begin)), ".csv")
         return _READERS[suffix](data, tolerance)

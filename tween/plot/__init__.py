@@ -4,6 +4,7 @@ from tween.colors import EDGE, FAILURE, INK, PIVOT, RANDOM, SOURCE, TARGET, TREE
 from tween.plot.animation import save_animation
 from tween.plot.explanation import draw_explanation, save_explanation
 from tween.plot.measures import draw_angle_sums, draw_area_matrix, draw_singular_values, draw_winding
+from tween.plot.notebook import slider
 from tween.plot.shapes import (
     draw_dual_tree,
     draw_filmstrip,
@@ -39,6 +40,7 @@ __all__ = [
     "regions",
     "save_animation",
     "save_explanation",
+    "slider",
     "use_style",
     "winding_number",
 ]

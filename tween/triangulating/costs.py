@@ -155,4 +155,4 @@ def _energy(edges, images):
         total += -(u[0] * v[0] + u[1] * v[1]) * (images[s, 0] * images[s, 0] + images[s, 1] * images[s, 1])
     # cot = that product over this one, which is the same at every corner: one division does
     twice_area = edges[1, 0] * edges[2, 1] - edges[1, 1] * edges[2, 0]
-    return 0.5 * total / twice_area
+    return 0.5 * total / twice_area if twice_area > 0.0 else np.inf

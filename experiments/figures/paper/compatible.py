@@ -13,10 +13,12 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, Polygon
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from experiments.baselines import edge_angle, straight
 from experiments.figures.registry import SEED, WIDTH, drawing
+from experiments.figures.rows import SHAPES, bands, draw_row, write_above
+from experiments.lengths import shrinkage
 from experiments.store import rng_for
 from tween import Morph, Triangulation, decompose, gallery, morph, paper_morph, triangulate
 from tween import plot as draw
@@ -30,6 +32,7 @@ MORE_TIMES = np.linspace(0, 1, 9)
 FRAMES = 61  # over which frames that fail are counted
 SAMPLES = 51  # random triangulations of which Figure 6 shows the median one
 SHARP = 0.2  # radians; corners of a path turn by more, steps along its arcs by less
+TITLE = 0.25  # inches that a title or a line of times takes
 RINGED = 1.2  # diagonals are ringed where they are shorter than at both ends by this factor
 CASES = {
     "monotone:\nstraight": (0.15 + 1.55j, 0.75 + 0.6j, (False, True)),
@@ -40,13 +43,6 @@ CASES = {
 
 
 # Measures
-
-
-def shrinkage(m: Morph, times: ArrayLike) -> NDArray[np.float64]:
-    """How many times shorter each diagonal is than at both ends of a morph without flips, (k, n-3); at least 1."""
-    ends = m.at([0.0, *np.asarray(times), 1.0])[:, m.source.diagonals]
-    lengths = np.hypot(*np.moveaxis(ends[:, :, 1] - ends[:, :, 0], 2, 0))
-    return np.maximum(1.0, np.minimum(lengths[0], lengths[-1]) / lengths[1:-1])
 
 
 def bending(m: Morph, frames: int = 41) -> NDArray[np.float64]:
@@ -79,10 +75,10 @@ def common_size(source: Any, target: Any) -> tuple[Triangulation, Triangulation]
 @drawing(
     "figure_04_interiors",
     "Figure 4",
-    """An S becomes a loop, both of one area.  Top: every vertex along a straight line.  Middle: lengths of edges and
-    turning angles interpolated (Sederberg and others).  Bottom: triangles of the interior, path "slide": the arm
-    swings round.  Red: curves that bound no immersed disk, and triangles turned over.  The paper shows a top and
-    a bottom row, for two curves whose coordinates are unpublished.""",
+    """An S becomes a loop, both of one area.  Top: every vertex along a straight line.  Middle: lengths of edges
+    and turning angles interpolated (Sederberg and others).  Bottom: triangles of the interior, path "slide": the
+    arm swings around.  Red: curves that bound no immersed disk, and triangles turned over.  The paper shows a top
+    and a bottom row, for two curves whose coordinates are unpublished.""",
 )
 def figure_4() -> Figure:
     """A morph that takes the interior into account beside two that do not."""
@@ -106,8 +102,8 @@ def figure_4() -> Figure:
     """A ramp that covers a part of the plane three times, on its way to the disk along "slide".  Top: with a
     triangulation drawn at random, of 51 the median one by the share in its title.  Bottom: remeshed.  The share is
     that of the tenth of the vertices at which the turning angle changes most.  With the random triangulation the
-    curve moves in kinks; in the paper's top row all changes happen in one small region.  The paper's curve is
-    unpublished.""",
+    curve moves in kinks; in the paper's top row all changes happen in one small region.  Every shape is drawn as large
+    as the others; beside its time stands its scale, that of the source being 1.  The paper's curve is unpublished.""",
 )
 def figure_6() -> Figure:
     """A morph to the disk with a random and with the remeshed triangulation."""
@@ -117,12 +113,11 @@ def figure_6() -> Figure:
     morphs = [paper_morph(S, Triangulation(disk, S.triangles)) for S in drawn]
     order = np.argsort([share_of_tenth(bending(m)) for m in morphs])
     rows = {"random": morphs[order[SAMPLES // 2]], "remeshed": paper_morph(T, T.moved(disk))}
-    figure, axes = plt.subplots(2, 1, figsize=(WIDTH, 3.8))
-    film(axes, list(rows.values()), TIMES)
-    for ax, (label, m) in zip(axes, rows.items(), strict=True):
-        ax.set_title(
-            f"{label}: a tenth of the vertices does {share_of_tenth(bending(m)):.0%} of the bending", loc="left"
-        )
+    figure = plt.figure(figsize=(WIDTH, 3.0))
+    for part, (label, m) in zip(bands(figure, [1, 1]), rows.items(), strict=True):
+        draw_row(part.subplots(1, SHAPES), m, dots=(), inner=0.4)
+        share = share_of_tenth(bending(m))
+        write_above(part, f"{label}: a tenth of the vertices does {share:.0%} of the bending")
     return figure
 
 
@@ -188,7 +183,17 @@ def film(axes: Sequence[Axes], morphs: Sequence[Morph], times: NDArray[np.float6
         ax.set(xlim=(0, middles[-1] + 0.5 * widths[-1] + gap), ylim=(-0.54 * height, 0.54 * height), anchor="W")
     for t, x in zip(times, middles, strict=True):
         axes[-1].text(x, -0.56 * height, f"t = {t:.3g}", ha="center", va="top", fontsize=7.5)
+    _fit_height(axes)
     return middles
+
+
+def _fit_height(axes: Sequence[Axes]) -> None:
+    """Make the figure as tall as its rows need at its width, titles and times included, so that no side is empty."""
+    figure = axes[0].figure
+    assert isinstance(figure, Figure)
+    width = figure.get_figwidth()
+    rows = [width * abs(np.ptp(ax.get_ylim()) / np.ptp(ax.get_xlim())) + TITLE for ax in figure.axes]
+    figure.set_figheight(sum(rows) + TITLE)
 
 
 def _centred(frames: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure, SubFigure
 from numpy.typing import NDArray
 
 from experiments.figures.registry import WIDTH, drawing
-from experiments.figures.rows import SHAPES, bands, draw_row, fit
+from experiments.figures.rows import SHAPES, bands, draw_row, fit, write_above
 from tween import Triangulation, gallery, paper_morph
 from tween import plot as draw
 from tween.morphing.alignment import align
@@ -96,10 +96,10 @@ def draw_diagonals(ax: Axes, T: Triangulation, known: Triangulation, width: floa
 @drawing(
     "figure_09_pivots",
     "Figure 9",
-    """The same two curves with matched pivots (below) and a quarter of the vertices away from that (above).
-    The dot is the source's pivot, at the end of the L: matched, it becomes an end of the ribbon, otherwise a place
-    in its middle.  Times are even, scales beside them.  A colour is a place along the source; it stays with the
-    vertices.  The paper's curves are unpublished; ours are stand-ins.""",
+    """The same two curves with matched pivots (below) and with a correspondence a quarter of the vertices away from
+    that (above). The dot is the source's pivot, at the end of the L: matched, it becomes an end of the ribbon,
+    otherwise a place in its middle.  Times are even, scales beside them.  A colour is a place along the source; it
+    stays with the vertices.  The paper's curves are unpublished; ours are stand-ins.""",
 )
 def figure_9() -> Figure:
     """The same two curves with and without matched pivots."""
@@ -119,27 +119,37 @@ def figure_9() -> Figure:
     "Figure 10",
     """Both shapes of a pair flow to their disks.  A diagonal is blue if the source's triangulation has it, orange if
     the target's has it, grey if both have it, black if neither: so the blue shape turns orange, and the orange one
-    blue.  Shaded: triangles that are new since the panel before.  Third row: the moment at which most flips happen;
-    the outlined quadrilateral becomes convex, and all others had been waiting for its flip; what they change is
-    shaded beforehand too.  Below: when the flips happen, for the four pairs of Figure 11 that need flips; the last
-    twentieth of the flow is shaded.  The paper's curves and times are unpublished; ours are stand-ins.""",
+    blue.  Shaded: triangles that are new since the panel before.  The paper's curves and times are unpublished; ours
+    are stand-ins.""",
 )
 def figure_10() -> Figure:
-    """Both flows of a pair, the largest cascade of one, and when the flips of all such pairs happen."""
-    figure = plt.figure(figsize=(WIDTH, 7.8))
-    parts = bands(figure, [1.75, 1.75, 2.2, 2.0])
+    """Both flows of a pair."""
+    figure = plt.figure(figsize=(WIDTH, 4.5))
+    parts = bands(figure, [1, 1])
     u, v = (flow(PAIR, end).end for end in (0, 1))
-    first = int(v <= u)  # the flow that is done first: the morph goes by way of its end
+    first = int(v <= u)  # the flow that is done first: the morph goes through its end
     for end, time in enumerate((u, v)):
         turns = ", where the morph turns to the other shape" if end == first else ""
         draw_flow(parts[end], end, f"{'uv'[end]} = {time:.3f}{turns}")
-    draw_cascade(parts[2])
-    draw_timeline(parts[3])
     return figure
 
 
-def write_above(part: SubFigure, text: str) -> None:
-    part.suptitle(text, x=0.01, ha="left", fontsize=9)
+@drawing(
+    "figure_10_timeline",
+    "Figure 10, continued",
+    """When flips happen.  Above: the moment at which most flips of the arrow happen, colours as in Figure 10; the
+    outlined quadrilateral becomes convex, and all others had been waiting for its flip; what they change is shaded
+    beforehand too.  Below: the share of its flips that each flow has done, for the four pairs of Figure 11 that need
+    flips; the last twentieth of the flow is shaded.  The paper's curves and times are unpublished; ours are
+    stand-ins.""",
+)
+def figure_10_timeline() -> Figure:
+    """The largest cascade of one flow, and when the flips of all four pairs happen."""
+    figure = plt.figure(figsize=(WIDTH, 4.6))
+    cascade, timeline = bands(figure, [2.5, 2.1])
+    draw_cascade(cascade)
+    draw_timeline(timeline)
+    return figure
 
 
 def draw_flow(part: SubFigure, end: int, finish: str) -> None:

@@ -46,7 +46,7 @@ def papers_factors() -> dict[int, float]:
     "table_1_factor",
     "Table 1",
     """When remeshing pays, on the way to the disk: the rank of arbitrary triangulations (median of a uniform sample)
-    over that of the remeshed one; a mark a curve of 96 vertices, the thinner the shape the farther to the right.
+    over that of the remeshed one; each mark is a curve of 96 vertices, the thinner the shape the farther to the right.
     Above 1 the remeshed triangulation is the better one. Lines at the right: the paper's four factors. 100 frames,
     pace: time.""",
 )

@@ -38,10 +38,11 @@ TICKS = {"Var": [1e-10, 1e-5, 1], "swelling": [1, 10, 100], "path_length": [0.3,
 @drawing(
     "matching_pairs",
     "ours",
-    """The seven pairs of Figure 11 in even steps of time: above as the paper has it, with pivots matched, edges flipped
-    and the root placing the shapes; below matched, placed steadily.  All shapes of a pair have one scale.  A colour
-    is a place along the source; it stays with the vertices.  "area up to": the largest area on the way over that of the
-    larger end, where it is larger.  Where the triangulations are incompatible the paper's source melts into a disk.""",
+    """The seven pairs of Figure 11 in even steps of time: above as printed in the paper, with pivots matched, edges
+    flipped and the root placing the shapes; below matched, placed steadily.  All shapes of a pair have one scale.
+    A colour is a place along the source; it stays with the vertices.  "area up to": the largest area on the way
+    over that of the larger end, where it is larger.  Where the triangulations are incompatible the paper's source
+    melts into a disk.""",
 )
 def matching_pairs() -> Figure:
     """The seven pairs of the gallery, the paper's way and matched."""
@@ -99,9 +100,9 @@ def _facts(m: Morph) -> str:
     "matching_study",
     "ours",
     """All 561 pairs of 34 curves by method: median (dot), middle half (thick) and range (thin) of rank and variance
-    of the areas, the largest area over that of the larger end, and the mean length of the vertices' paths in widths of
-    the larger end; right, the share of pairs all of whose 61 frames bound an immersed disk.  What others
-    use stands on the paper's correspondence and on the matched one.""",
+    of the areas, the largest area over that of the larger end, and the mean length of the vertices' paths in widths
+    of the larger end; right, the share of pairs all of whose 61 frames bound an immersed disk.  Methods of others
+    use the paper's correspondence, and the matched one.""",
 )
 def matching_study() -> Figure:
     table = pd.read_csv(RESULTS / "matching_summary.csv").set_index(["measure", "method"])

@@ -1,5 +1,7 @@
 """The choice of the root: what it does to the shapes, where the paper's lies among all, and rank against height."""
 
+from collections.abc import Iterable
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -8,7 +10,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from experiments.figures.registry import WIDTH, drawing
+from experiments.figures.studies.table_1 import SELECTION
 from experiments.store import RESULTS
+from experiments.subjects import shapes
 from tween import Triangulation, area_matrix, gallery, paper_morph, triangulate
 from tween import plot as draw
 from tween.geometry.dual_tree import disk_center, hops
@@ -59,21 +63,36 @@ def _shape(ax: Axes, T: Triangulation, root: int) -> None:
 @drawing(
     "root_choice",
     "Section 7, discussion",
-    """Where the paper's root, the triangle closest to the disk's centre, lies among all roots of each curve, path
-    slide; beside it the centre of the dual tree.  Var is the paper's measure; for the last two panels every shape is
-    scaled to the area of the source.  On most curves the paper's root has a low rank and one of the largest Var of all;
-    with the scale held its Var and its excursions are mostly below the median.""",
+    """Where the paper's root, the triangle closest to the disk's centre, lies among all roots of a curve, path slide,
+    on some of our curves, fat ones above and thin ones below; beside it the centre of the dual tree.  Var is the
+    paper's measure; for the last two panels every shape is scaled to the area of the source.  On most curves the
+    paper's root has a low rank and one of the largest Var of all; with the scale held its Var and its excursions are
+    mostly below the median.""",
 )
 def root_choice() -> Figure:
+    return choice(SELECTION)
+
+
+@drawing(
+    "root_choice_all",
+    "Section 7, supplement",
+    """As the figure before, every curve: where the paper's root lies among all roots, path slide.""",
+)
+def root_choice_all() -> Figure:
+    return choice(shapes())
+
+
+def choice(names: Iterable[str]) -> Figure:
     """Where the paper's root lies among all roots, curve by curve."""
-    table = pd.read_csv(RESULTS / "roots.csv", keep_default_na=False)
+    table = pd.read_csv(RESULTS / "roots.csv", keep_default_na=False).set_index("curve").loc[list(names)].reset_index()
     titles = {
         "AR_1e-4 slide": "AR at 1e-4",
         "Var slide": "Var",
         "Var_scaled slide": "Var, scaled",
         "excursion_scaled slide": "excursion, scaled",
     }
-    figure, axes = plt.subplots(1, len(titles), figsize=(WIDTH, 6.0), sharey=True)
+    height = 1.1 + 0.145 * table.curve.nunique()
+    figure, axes = plt.subplots(1, len(titles), figsize=(WIDTH, height), sharey=True)
     for ax, (measure, title) in zip(axes, titles.items(), strict=True):
         _distributions(ax, table, measure)
         ax.set_title(title)
@@ -104,9 +123,10 @@ def _chosen(table: pd.DataFrame, rule: str, measure: str) -> pd.Series:
 @drawing(
     "root_heights",
     "Section 7, discussion",
-    """Rank of the area matrix against the height of the dual tree, a dot a root, path linear.  Left the comb, at three
-    tolerances; right all curves, at 1e-9.  The line, 2 height + 2 and no more than there are triangles, is a bound in
-    exact arithmetic (bars: the exact rank of some roots); what counts at a tolerance is far less, and grows slowly.""",
+    """Rank of the area matrix against the height of the dual tree, each dot is a root, path linear.  Left the comb,
+    at three tolerances; right all curves, at 1e-9.  The line, 2 height + 2 and no more than there are triangles, is
+    a bound in exact arithmetic (bars: the exact rank of some roots); what counts at a tolerance is far less, and
+    grows slowly.""",
 )
 def root_heights() -> Figure:
     """AR against the height of the tree, with the bound."""

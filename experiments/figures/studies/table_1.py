@@ -24,7 +24,7 @@ VERDICTS: dict[str, dict[str, Any]] = {  # the hatch tells the last from the fir
 }
 VERDICT_LABELS = ("remeshed below the median of the random", "equal", "above")
 DEFAULTS = {"slide", "100", "shares of the source", "spaced by arc length", "disk's centre", "median of the uniform"}
-WAYS = ("straight", "flipped", "over the disk")
+ROUTES = {"straight": "straight", "flipped": "flipped", "over the disk": "through the disk"}
 # From fat to thin, every second or third of our curves.
 SELECTION = (
     *("convex", "three_lobes", "five_disks", "two_disks", "ell", "arrow", "comb"),
@@ -163,10 +163,11 @@ def _name_settings(ax: Axes, table: pd.DataFrame) -> None:
 @drawing(
     "table_1_slides",
     "Table 1",
-    """What the rank counts.  Left: how many triangles slide, that is, follow an arc, on the way to the disk; a dot a
-    curve; the remeshed triangulation has about twice as many as random ones.  Right: rank correlation, over the random
-    triangulations of a curve, between what is named above and each measure; a dot a curve, a bar at the median.  The
-    number of slides goes with the rank at tight tolerances; the thinnest angle has nothing to do with it.""",
+    """What the rank counts.  Left: how many triangles slide, that is, follow an arc, on the way to the disk; each
+    dot is a curve; the remeshed triangulation has about twice as many as random ones.  Right: rank correlation,
+    over the random triangulations of a curve, between what is named above and each measure; each dot is a curve,
+    the bar the median.  The number of slides goes with the rank at tight tolerances; the thinnest angle has nothing
+    to do with it.""",
 )
 def table_1_slides() -> Figure:
     table = pd.read_csv(RESULTS / "table_1_slides.csv")
@@ -208,20 +209,20 @@ def _correlations(ax: Axes, table: pd.DataFrame, label: str) -> None:
 
 
 @drawing(
-    "table_1_ways",
+    "table_1_curve_to_curve",
     "Table 1",
     """When the factor appears: AR at tolerance 1e-4 between two curves.  Left: our stand-ins for the paper's four
     columns.  Straight to the other curve the rank is small whatever the triangulation; arbitrary ones of two curves
-    have to be flipped; led over the disk, the remeshed ones have a rank of nearly that size too.  Right: the pairs of
+    have to be flipped; through the disk, the remeshed ones have a rank of nearly that size too.  Right: the pairs of
     our curves that have a common triangulation under the pivots' correspondence, straight under it, and with the
     remeshed triangulations, which have to be flipped; the larger a dot, the more pairs.  Path slide, pace speed.""",
 )
-def table_1_ways() -> Figure:
+def table_1_curve_to_curve() -> Figure:
     ways, flips = (pd.read_csv(RESULTS / f"table_1_curve_to_curve_{part}.csv") for part in ("ways", "flips"))
     figure = plt.figure(figsize=(WIDTH, 2.9))
     axes = figure.subplots(1, 5, width_ratios=[1, 1, 1, 1, 2.1])
     for ax, (pair, block) in zip(axes[:4], ways.groupby(["row", "pair"]), strict=True):
-        _ways(ax, block)
+        _routes(ax, block)
         ax.set_title(f"row {pair[0]}")
         ax.tick_params(labelleft=pair[0] == 1)
     axes[0].set_ylabel("AR at tolerance 1e-4")
@@ -231,7 +232,7 @@ def table_1_ways() -> Figure:
     return figure
 
 
-def _ways(ax: Axes, table: pd.DataFrame) -> None:
+def _routes(ax: Axes, table: pd.DataFrame) -> None:
     looks: dict[str, dict[str, Any]] = {
         "remeshed": {"marker": "o", "facecolors": "none", "edgecolors": draw.SOURCE, "label": "remeshed"},
         "own": {"marker": "s", "color": draw.RANDOM, "label": "random, one for each"},
@@ -239,7 +240,7 @@ def _ways(ax: Axes, table: pd.DataFrame) -> None:
     }
     for kind, look in looks.items():
         some = table[table.triangulation == kind]
-        ax.scatter(some.way.map(WAYS.index), some["AR_1e-4"], s=26, zorder=3, **look)
-    ax.set_xticks(range(3), WAYS, rotation=90)
+        ax.scatter(some.way.map(list(ROUTES).index), some["AR_1e-4"], s=26, zorder=3, **look)
+    ax.set_xticks(range(3), ROUTES.values(), rotation=90)
     ax.set(xlim=(-0.6, 2.6), ylim=(0, 30))
     ax.grid(axis="y", color="0.92")

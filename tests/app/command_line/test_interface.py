@@ -1,18 +1,14 @@
-"""The options: what the help says runs, and the choices are those of the library."""
+"""The commands: what the help says runs, and what is misspelt is answered."""
 
 import re
 from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from terminal import COMMANDS, Run, parsed
+from terminal import COMMANDS, Run
 
 from tween.app.command_line import commands
-from tween.choices import FITS, PACES, PATHS, PLACEMENTS, ROOT_RULES, SIZES, STRATEGIES, STYLES
 
 
 def examples(command: click.Command) -> list[str]:
@@ -44,23 +40,6 @@ def test_help_says_what_a_command_is_for_and_fits_the_page(name: str, run: Run, 
 
 
 @pytest.mark.parametrize(
-    ("option", "words"),
-    [
-        ("path", PATHS),
-        ("strategy", STRATEGIES),
-        ("style", STYLES),
-        ("root", ROOT_RULES),
-        ("placement", PLACEMENTS),
-        ("pace", PACES),
-        ("fit", FITS),
-    ],
-)
-def test_every_choice_of_the_library_is_a_choice_of_the_command(option: str, words: tuple[str, ...]) -> None:
-    for word in words:
-        assert parsed("morph", f"a.csv b.csv -o c.gif --{option} {word}")[option] == word
-
-
-@pytest.mark.parametrize(
     ("command", "line"),
     [
         ("triangulate", "triangulate gallery:ell -o"),
@@ -89,51 +68,9 @@ def test_every_suffix_that_the_help_names_is_read(run: Run) -> None:
         assert (suffix, run(f"info ell{suffix}")[0]) == (suffix, 0)
 
 
-# What words become
-
-
-@pytest.mark.parametrize(
-    ("words", "name", "value"),
-    [
-        ("", "size", 480),
-        ("--size 64", "size", 64),
-        ("--size 640x480", "size", (640, 480)),
-        ("--root 3", "root", 3),
-        ("--root tree-center", "root", "tree-center"),
-        ("--landmark 12:40 --landmark 0:7", "landmarks", ((12, 40), (0, 7))),
-        ("--frames 2", "frames", 2),
-        ("--size small", "size", "small"),
-        ("--landmark 1:2:3", "landmarks", ((1, 2, 3),)),
-        ("--tolerance 1e-3", "tolerance", 1e-3),
-    ],
-)
-def test_words_become_values(words: str, name: str, value: Any) -> None:
-    found = parsed("morph", f"a.csv b.csv -o c.gif {words}")[name]
-    assert found == value
-    assert type(found) is type(value)
-
-
-@given(
-    st.text(max_size=8).filter(lambda text: not text.startswith("-")),
-    st.sampled_from(["--frames", "--fps", "--size", "--root", "--tolerance", "--pen", "--smooth", "--landmark"]),
-)
-def test_any_text_is_a_value_within_its_limits_or_misuse(text: str, option: str) -> None:
-    context = ["a.csv", "b.csv", "-o", "c.gif", option, text]
-    try:
-        found = COMMANDS["morph"].make_context("tween morph", context).params
-    except click.UsageError as misuse:
-        assert option in misuse.format_message()
-        return
-    assert found["frames"] is None or found["frames"] >= 2
-    assert 1 <= found["fps"] <= 100
-    assert text == "small" or all(SIZES[0] <= side <= SIZES[1] for side in np.atleast_1d(found["size"]))
-    assert all(found[name] is None or 0 < found[name] < np.inf for name in ("tolerance", "pen"))
-    assert found["smooth"] is None or 0 <= found["smooth"] < np.inf
-
-
-def test_no_option_is_understood_by_its_beginning() -> None:
-    with pytest.raises(click.NoSuchOption, match="--fram"):
-        parsed("morph", "a.csv b.csv -o c.gif --fram 3")
+def test_commands_are_listed_as_they_are_wanted(run: Run) -> None:
+    listed = re.findall(r"^  ([a-z]+)  +[A-Z]", run("--help")[1].partition("Commands:")[2], re.MULTILINE)
+    assert listed == ["info", "clean", "triangulate", "morph", "play", "certify", "warmup", "gallery"]
 
 
 def test_every_command_is_a_function_of_commands() -> None:

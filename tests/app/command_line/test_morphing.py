@@ -14,6 +14,8 @@ from terminal import EIGHT, Run, write_points
 
 import tween
 from tween import gallery, io
+from tween.app.command_line import morphing
+from tween.app.command_line.shapes import Reading, Shape, read_shape
 from tween.easing import as_ease
 from tween.plot import animation
 
@@ -94,7 +96,7 @@ def test_a_drawing_from_an_editor_goes_all_the_way(run: Run) -> None:
     for name in ("loop.gif", "loop.svg"):
         status, out, err = run(f"{way} -o {name}")
         assert (status, err) == (0, "")
-        assert out.startswith("valid at every instant of playback\n")
+        assert out.startswith("valid at every time\n")
     with Image.open("loop.gif") as film:
         assert film.n_frames == 5  # there, and back
     assert ElementTree.parse("loop.svg").getroot().tag == "{http://www.w3.org/2000/svg}svg"
@@ -168,7 +170,7 @@ def test_points_of_the_same_name_in_two_geojson_files_are_landmarks(run: Run) ->
 def test_a_loop_of_several_curves_is_one_command(name: str, run: Run) -> None:
     status, out, err = run(f"morph letter:a letter:e letter:l letter:a -o {name} --certify --size 90 --frames 31")
     assert (status, err) == (0, "")
-    assert out.startswith("valid at every instant of playback\n")
+    assert out.startswith("valid at every time\n")
     assert "31 frames of" in out.splitlines()[-1]
     if name == "loop.gif":
         with Image.open(name) as film:
@@ -219,3 +221,35 @@ def test_all_keyframes_are_brought_to_the_place_of_the_first(run: Run) -> None:
     assert run("morph gallery:ell 1.csv 2.csv gallery:ell -o m.npz --frames 4 --fit area")[0] == 0
     areas = [tween.Curve(frame).area for frame in io.read_frames("m.npz")[0]]
     assert areas == pytest.approx([gallery.curve("ell").area] * 4)
+
+
+def test_beside_a_file_only_the_file_is_smoothed_as_its_unit_is_another(run: Run, monkeypatch: Any) -> None:
+    asked: dict[str, float | None] = {}
+
+    def read(word: str, select: str | None, how: Reading) -> Shape:
+        asked[word] = how.smooth
+        return read_shape(word, select)
+
+    monkeypatch.setattr(morphing, "read_shape", read)
+    assert run("gallery ell -o ell.csv")[0] == 0
+    for line, smoothed in (
+        ("ell.csv letter:e", {"ell.csv": 0.1, "letter:e": None}),
+        ("letter:e disk", {"letter:e": 0.1}),
+        ("gallery:ell letter:e", {"gallery:ell": 0.1, "letter:e": 0.1}),
+    ):
+        asked.clear()
+        assert run(f"morph {line} -o out.npz --smooth 0.1 --frames 3")[0] == 0
+        assert asked == smoothed
+
+
+def test_of_several_drawings_the_pen_draws_the_lines_and_leaves_what_is_filled(run: Run) -> None:
+    svg = '<svg xmlns="http://www.w3.org/2000/svg"><path d="{}" {}/></svg>'
+    Path("filled.svg").write_text(svg.format("M0 0H90V90H0Z", 'fill="#2a7"'))
+    Path("line.svg").write_text(svg.format("M0 0H90V90H180", 'fill="none" stroke="black" stroke-width="9"'))
+    status, _, err = run("morph filled.svg line.svg filled.svg -o loop.npz --pen 9 --frames 3")
+    assert (status, err) == (0, "tween: note: filled.svg: not drawn with the pen, as it is filled\n")
+    frames = io.read_frames("loop.npz")[0]
+    assert tween.Curve(frames[0]).area == 8100
+    assert abs(tween.Curve(frames[1]).area - 270 * 9) < 1
+    assert run("morph filled.svg disk -o ring.npz --pen 9 --frames 3")[0] == 0  # the only one is drawn as asked
+    assert abs(tween.Curve(io.read_frames("ring.npz")[0][0]).area - 360 * 9) < 100

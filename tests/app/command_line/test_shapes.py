@@ -34,6 +34,12 @@ def test_a_stroke_that_is_no_curve_can_be_cleaned(
     assert np.array_equal(read_points("spiked.csv"), points)
 
 
+def test_a_curve_that_comes_with_tween_is_cleaned_like_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    cleaned = read_shape("gallery:pretzel", how=Reading(smooth=0.1)).curve
+    assert np.array_equal(cleaned.points, tween.clean(gallery.curve("pretzel"), 0.1).points)
+    assert capsys.readouterr().err.startswith("tween: note: gallery:pretzel: smoothed by ")
+
+
 def test_a_fault_carries_the_first_line_of_the_explanation() -> None:
     shape = read_shape("M0 0L20 20L20 0L0 20Z")
     summary = tween.decompose(shape.curve).explain().summary

@@ -3,7 +3,6 @@
 `python tests/app/playground/test_browser.py` takes the picture of it that the notebook shows anew.
 """
 
-import importlib.util
 import json
 import os
 import re
@@ -22,26 +21,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from browsers import BEAN, EIGHT, draw, horseshoe, missing, new_page, pixels, place, touch, words
 
-from tween import gallery, verify
+from tween import verify
 from tween.io.frames import read_frames
 
 ROOT = Path(__file__).resolve().parents[3]
 NOTEBOOK = "10_playground.ipynb"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-CHROMIUM = next((path for path in map(shutil.which, BROWSERS) if path), None)
-ARGUMENTS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--no-proxy-server",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
-PACKAGES = ("anywidget", "ipywidgets", "jupyterlab", "playwright")
-MISSING = [name for name in PACKAGES if importlib.util.find_spec(name) is None] + ([] if CHROMIUM else ["Chromium"])
+MISSING = missing("anywidget", "ipywidgets", "jupyterlab", "playwright")
 
 pytestmark = [
     pytest.mark.slow,
@@ -105,22 +92,13 @@ def wait_for(address: str, server: subprocess.Popen[bytes]) -> None:
 @contextmanager
 def opened(address: str) -> Iterator[Any]:
     """Open the notebook in the browser and run it; yields the page, once the widget is there."""
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        page = browser.new_page(viewport={"width": 1360, "height": 1000})
-        page.set_default_timeout(120_000)
-        page.wanted, page.faults = [], []
-        page.on("request", lambda request: page.wanted.append(request.url))
-        page.on("pageerror", lambda error: page.faults.append(str(error)))
+    with new_page() as page:
         page.goto(f"{address}/lab/tree/{NOTEBOOK}?reset")
         page.get_by_text("| Idle").wait_for()
         page.get_by_role("menuitem", name="Run", exact=True).click()
         page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
         page.locator(".tween-playground").wait_for()
         yield page
-        browser.close()
 
 
 def folder_of_notebooks(parent: Path) -> Path:
@@ -146,61 +124,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def page(folder: Path) -> Iterator[Any]:
     with lab(folder) as address, opened(address) as page:
         yield page
-
-
-# A hand
-
-
-def place(page: Any, field: str, x: Any, y: Any) -> list[list[float]]:
-    """Points of a field that is 1 wide and high, y up, on the page."""
-    canvas = page.locator(f".tween-{field} canvas")
-    canvas.scroll_into_view_if_needed()
-    box = canvas.bounding_box()
-    return np.stack([box["x"] + box["width"] * x, box["y"] + box["height"] * (1 - y)], axis=-1).tolist()
-
-
-def draw(page: Any, field: str, x: Any, y: Any) -> None:
-    """Draw with the mouse."""
-    points = place(page, field, x, y)
-    page.mouse.move(*points[0])
-    page.mouse.down()
-    for point in points[1:]:
-        page.mouse.move(*point)
-    page.mouse.up()
-
-
-def touch(page: Any, field: str, x: Any, y: Any) -> None:
-    """Draw with a finger."""
-    session = page.context.new_cdp_session(page)
-    points = [{"x": a, "y": b} for a, b in place(page, field, x, y)]
-    session.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points[:1]})
-    for point in points[1:]:
-        session.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": [point]})
-    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    session.detach()
-
-
-def words(page: Any, field: str) -> str:
-    """What is said below a field, once the kernel has answered."""
-    page.locator(".tween-playground:not(.tween-busy)").wait_for()
-    return str(page.locator(f".tween-{field} .tween-words").inner_text())
-
-
-def pixels(page: Any, field: str) -> str:
-    return str(page.locator(f".tween-{field} canvas").evaluate("canvas => canvas.toDataURL()"))
-
-
-TIME = np.linspace(0, 2 * np.pi, 70)
-BEAN = 0.5 + 0.36 * np.cos(TIME), 0.5 + 0.3 * np.sin(TIME) + 0.06 * np.cos(3 * TIME)
-EIGHT = 0.5 + 0.35 * np.sin(2 * TIME), 0.5 + 0.4 * np.sin(TIME)
-
-
-def horseshoe() -> tuple[Any, Any]:
-    """A curve whose ends overlap, as a hand that trembles a little draws it."""
-    points = gallery.curve("horseshoe").points
-    points = (points - points.min(axis=0)) / np.ptp(points, axis=0).max() * 0.84 + [0.16, 0.06]
-    points = np.concatenate([points, points[:4]])
-    return tuple((points + np.random.default_rng(1).normal(0, 0.003, points.shape)).T)
 
 
 # What a person does
@@ -237,7 +160,7 @@ def test_the_second_curve_is_drawn_or_chosen(page: Any) -> None:
 def test_the_slider_moves_the_shape_by_mouse_and_by_keys(page: Any) -> None:
     draw(page, "source", *BEAN)
     words(page, "morph")
-    slider, clock = page.locator(".tween-slider"), page.locator(".tween-morph output")
+    slider, clock = page.locator(".tween-slider"), page.locator(".tween-morph .tween-head output")
     seen = []
     for key, time_shown in (("Home", "t = 0.00"), ("ArrowRight", "t = 0.01"), ("End", "t = 1.00")):
         slider.press(key)
@@ -248,7 +171,7 @@ def test_the_slider_moves_the_shape_by_mouse_and_by_keys(page: Any) -> None:
     assert clock.inner_text() == "t = 0.50"
     assert all(a != b for a, b in zip(seen[0], seen[2], strict=True))
     page.locator(".tween-play").click()
-    page.locator(".tween-morph output", has_text="t = 1.00").wait_for()
+    page.locator(".tween-morph .tween-head output", has_text="t = 1.00").wait_for()
 
 
 def test_choices_are_obeyed_and_a_click_makes_a_triangle_the_root(page: Any) -> None:
@@ -273,12 +196,12 @@ def test_choices_are_obeyed_and_a_click_makes_a_triangle_the_root(page: Any) -> 
 def test_files_are_saved_beside_the_notebook_and_downloaded(page: Any, folder: Path, tmp_path: Path) -> None:
     draw(page, "source", *BEAN)
     words(page, "morph")
-    page.locator("footer select").select_option("npz")
+    page.locator(".tween-foot select").select_option("npz")
     page.locator(".tween-save").click()
     page.locator(".tween-message", has_text="Saved tween_frames.npz").wait_for()
     frames, triangles, times = read_frames(folder / "tween_frames.npz")
     assert verify(frames, triangles, times).valid
-    page.locator("footer select").select_option("gif")
+    page.locator(".tween-foot select").select_option("gif")
     with page.expect_download() as download:
         page.locator(".tween-download").click()
     download.value.save_as(tmp_path / "animation.gif")

@@ -6,8 +6,8 @@ import re
 import numpy as np
 
 from tween import gallery, morph, paper_morph, triangulate
+from tween.app.playground.fields import BOX
 from tween.app.playground.footage import FRAMES, footage
-from tween.app.playground.hand_drawn import BOX
 from tween.measuring.metrics import angle_sums
 
 

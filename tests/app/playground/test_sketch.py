@@ -54,6 +54,8 @@ def test_the_disk_waits_for_a_curve_that_bounds_one() -> None:
         "words": "A disk, once the first curve bounds one.",
         "points": [],
         "triangles": [],
+        "rows": None,
+        "why": None,
     }
     film = sketch.move(OPTIONS)
     assert film == {"frames": [], "words": "No morph: both curves have to bound a disk.", "valid": False}
@@ -112,6 +114,68 @@ def test_a_triangle_that_was_clicked_is_the_root() -> None:
     sketch = Sketch()
     sketch.choose(LOOP, DISK)
     assert sketch.move({"root": 5})["root"] == 5
+
+
+def matched(landmarks: Any, target: dict[str, Any] | None = None, **options: Any) -> tuple[Sketch, dict[str, Any]]:
+    sketch = Sketch()
+    sketch.choose({"name": "arrow"}, target or {"name": "ell"})
+    return sketch, sketch.move({"landmarks": landmarks, **options})
+
+
+@pytest.mark.parametrize("target", [{"name": "ell"}, DISK])
+def test_landmarks_correspond_and_are_marked_on_the_way(target: dict[str, Any]) -> None:
+    sketch, film = matched([[0, 12], [20, 30]], target)
+    m = sketch.morph
+    assert m is not None and film["valid"]
+    assert [m.source_vertices[v] for v in film["marks"]] == [0, 20]
+    assert [m.target_vertices[v] for v in film["marks"]] == [12, 30]
+    plain, other = matched([], target)
+    assert plain.morph is not None and other["marks"] == []
+    assert dict(zip(plain.morph.source_vertices, plain.morph.target_vertices, strict=True))[0] != 12
+
+
+@pytest.mark.parametrize(
+    ("landmarks", "options", "words"),
+    [
+        ([[0, 12], [20, 30], [30, 20]], {}, "not in the same order around both curves"),
+        ([[0, 12], [0, 13]], {}, "both use vertex 0 of the source"),
+        ([[43, 12]], {}, "43"),
+        ([[0, 12, 3]], {}, "too many values"),
+        (7, {}, "not iterable"),
+        ([[0, 12]], {"triangulation": "random"}, "landmarks are for triangles that are matched, but those are random"),
+    ],
+)
+def test_what_is_wrong_with_landmarks_is_said_in_words(landmarks: Any, options: dict[str, Any], words: str) -> None:
+    sketch, film = matched(landmarks, **options)
+    assert words in film["words"]
+    assert film["frames"] == [] and sketch.morph is None
+
+
+def test_a_change_that_leaves_no_curve_is_shown_all_the_same() -> None:
+    wish = {"of": {"stroke": circle().tolist()}, "moved": [[5, 0, 0], [6, 0, 0]]}
+    seen = Sketch().choose(wish, DISK)["source"]
+    assert not seen["ok"] and len(seen["points"]) == 150 and "zero length" in seen["words"]
+
+
+def test_rows_tell_a_moved_curve_that_turned_clockwise_from_what_it_was() -> None:
+    triangle = Sketch([[0, 0], [2, 0], [0, 2]])
+    place = {"of": {"name": "given"}, "moved": [[1, 0, 0]]}
+    assert triangle.choose(place, DISK)["source"]["rows"] in ([0, 1, 2], [0, 2, 1])
+    mirrored = {"of": {"name": "given"}, "moved": [[2, 900, 0], [1, 60, 900]]}
+    assert triangle.choose(mirrored, DISK)["source"]["rows"] == [0, 2, 1]
+    assert triangle.choose({"name": "given"}, DISK)["source"]["rows"] is None
+
+
+def test_landmarks_keep_their_vertices_where_a_moved_curve_turns_clockwise() -> None:
+    sketch = Sketch([[0, 0], [4, 0], [4, 4], [0, 4]])
+    mirrored = {"of": {"name": "given"}, "moved": [[0, 900, 100], [1, 100, 100], [2, 100, 900], [3, 900, 900]]}
+    sketch.choose(mirrored, {"name": "given"})
+    film = sketch.move({"landmarks": [[1, 0]]})
+    m = sketch.morph
+    assert film["valid"] and m is not None
+    source, target = m.source.points[film["marks"][0]], m.target.points[film["marks"][0]]
+    np.testing.assert_allclose(sketch.source.placement.forth([source]), [100, 100])
+    np.testing.assert_allclose(target - m.target.points.min(axis=0), 0, atol=1e-9)
 
 
 def test_a_curve_of_ones_own_can_be_given() -> None:

@@ -14,9 +14,11 @@ import pytest
 from PIL import Image
 from strokes import circle, eight
 
+from tween import gallery
 from tween.app.playground import widget
 from tween.app.playground.hand_drawn import from_stroke
 from tween.app.playground.widget import Picture, playground
+from tween.io.writing import write_curve
 
 STATIC = Path(widget.__file__).with_name("static")
 LIVE = importlib.util.find_spec("anywidget") is not None
@@ -129,6 +131,24 @@ def test_a_file_goes_to_the_browser(alive: Any, tmp_path: Path, monkeypatch: pyt
 def test_a_wish_that_cannot_be_granted_is_answered_in_words(alive: Any, wish: dict[str, Any]) -> None:
     alive.wish = wish | {"asked": 1}
     assert alive.file["words"].startswith("Not saved: ")
+
+
+def test_a_file_that_is_handed_in_is_offered(alive: Any) -> None:
+    alive.upload = {"which": "target", "name": "a.csv", "data": b"0,0\n2,0\n0,2\n", "asked": 1}
+    assert (alive.uploads["chosen"], alive.uploads["asked"]) == ("a.csv", 1)
+    alive.target = {"name": "a.csv"}
+    assert alive.shapes["target"]["ok"] and alive.footage["valid"]
+
+
+def test_on_a_page_it_is_there_before_its_first_morph(tmp_path: Path) -> None:
+    pytest.importorskip("anywidget", reason="the widget needs the extra play")
+    write_curve(tmp_path / "curve.npz", gallery.letter("e"))
+    shown = widget.on_page(str(tmp_path / "curve.npz"), tmp_path)
+    assert shown.shapes == shown.footage == {} and shown.source == {"name": "given"}
+    shown.options = shown.options | {"asked": 1}
+    assert shown.footage["valid"] and len(shown.sketch.source.curve) == 62
+    shown.wish = {"kind": "csv", "where": "folder", "asked": 1}
+    assert (tmp_path / "tween_curve.csv").exists()
 
 
 def test_a_notebook_that_holds_the_widget_holds_text_too(alive: Any) -> None:

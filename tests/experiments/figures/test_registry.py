@@ -11,13 +11,15 @@ from typing import Any, cast
 
 import matplotlib.pyplot as plt
 import numpy as np
+import pandas as pd
 import pytest
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 from matplotlib.quiver import Quiver
 
-from experiments.figures.everything import DRAWINGS, drawn
-from experiments.store import FIGURES
+from experiments.figures.everything import DRAWINGS, drawn, save_some
+from experiments.store import FIGURES, RESULTS
 from tween import plot
 
 NAMES = sorted(DRAWINGS)
@@ -93,6 +95,36 @@ def test_the_folder_holds_the_registered_figures_and_no_others() -> None:
     assert sorted(DRAWN) == sorted(CAPTIONS) == NAMES
     for suffix in ("png", "pdf"):
         assert sorted(path.stem for path in FIGURES.glob(f"*.{suffix}")) == NAMES
+
+
+@pytest.mark.parametrize("name", ["figure_04_interiors", "figure_08_linear_slide", "guarantee_paths"])
+def test_a_film_leaves_no_side_empty(name: str) -> None:
+    picture = imread(FIGURES / f"{name}.png")[..., :3]
+    inked = np.flatnonzero((picture < 0.9).any(axis=2).any(axis=0))
+    assert inked[0] < 0.05 * picture.shape[1]
+    assert inked[-1] > 0.95 * picture.shape[1]
+
+
+def test_a_choice_of_curves_is_a_part_of_the_supplement() -> None:
+    for name in ("root_choice", "table_1_slide"):
+        some, every = ([label.get_text() for label in _first(n).get_yticklabels()] for n in (name, f"{name}_all"))
+        assert set(some) < set(every)
+        assert (len(some), len(every)) == (14, 34)
+
+
+def _first(name: str) -> Axes:
+    return DRAWINGS[name].make().axes[0]
+
+
+def test_every_claim_of_the_ledger_has_its_mark() -> None:
+    words = [text.get_text() for ax in DRAWINGS["verdicts"].make().axes for text in ax.texts]
+    ids = pd.read_csv(RESULTS / "claims.csv").id
+    assert sorted(words) == sorted(name.replace("-", " ") for name in ids)
+
+
+def test_a_figure_that_is_none_is_refused_before_anything_is_drawn() -> None:
+    with pytest.raises(ValueError, match="there is no figure figure_12; there are figure_01"):
+        save_some(["verdicts", "figure_12"])
 
 
 # The guard itself

@@ -164,5 +164,7 @@ def test_a_file_is_read_within_its_limits_only(tmp_path, monkeypatch, size, fine
     if fine:
         assert content_of(path) == b"read"
     else:
-        with pytest.raises(FileError, match=f"has {size} bytes, expected 1 to {LARGEST_FILE}"):
+        with pytest.raises(
+            FileError, match=f"has {size} bytes, expected at most {LARGEST_FILE}" if size else "^is empty"
+        ):
             content_of(path)

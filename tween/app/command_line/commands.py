@@ -12,6 +12,7 @@ import numpy as np
 from tween import io
 from tween.app.command_line import curve_names
 from tween.app.command_line.morphing import morph
+from tween.app.command_line.playing import play
 from tween.app.command_line.shapes import Reading, read_points, read_shape
 from tween.app.command_line.stages import check_output, stage
 from tween.app.command_line.warming import warmup
@@ -28,7 +29,7 @@ from tween.triangulating.decomposition import Decomposition, decompose
 from tween.triangulating.decomposition import triangulate as delaunay
 from tween.triangulating.repair.cleaning import clean as cleaned
 
-__all__ = ["certify", "clean", "gallery", "info", "morph", "triangulate", "warmup"]
+__all__ = ["certify", "clean", "gallery", "info", "morph", "play", "triangulate", "warmup"]
 
 _CURVES = (".svg", ".csv", ".json", ".geojson", ".npz", ".npy")
 _TRIANGULATIONS = (".obj", ".json", ".npz", ".svg")

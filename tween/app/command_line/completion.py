@@ -35,22 +35,6 @@ def complete(command: click.Command) -> int | None:
     return status
 
 
-def files(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Leave it to the shell to list files.
-
-    Parameters
-    ----------
-    context : Context
-    parameter : Parameter
-    incomplete : str
-
-    Returns
-    -------
-    list of CompletionItem
-    """
-    return [CompletionItem(incomplete, type="file")]
-
-
 def names(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     """List curves that come with tween, with their kind and without.
 
@@ -69,20 +53,19 @@ def names(context: click.Context, parameter: click.Parameter, incomplete: str) -
 
 
 def shapes(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """List curves that come with tween, and leave it to the shell to list files.
+    """List curves that come with tween, or leave it to the shell to list files.
 
     Parameters
     ----------
-    context : Context
-    parameter : Parameter
-    incomplete : str
+    context, parameter, incomplete
+        As in `names`.
 
     Returns
     -------
     list of CompletionItem
     """
     curves = _beginning([*_full_names(), "disk"], incomplete) if incomplete else []
-    return curves or files(context, parameter, incomplete)
+    return curves or [CompletionItem(incomplete, type="file")]
 
 
 def _full_names() -> list[str]:

@@ -1,6 +1,7 @@
 """What `tween morph` does: curves read and brought together, the morph, its certificate, and the file."""
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace as Options
 
@@ -148,15 +149,24 @@ def _shapes(options: Options) -> list[Shape | None]:
         raise FileError("of more than two shapes each has to be a curve: the word disk is the disk of the other one")
     if words.count("-") > 1:
         raise FileError("standard input can be read once only, but '-' stands for two of the curves")
-    how = Reading(options.tolerance, options.pen, options.smooth, options.landmarks_from_files)
+    several = sum(not _comes_with_tween(word) for word in words) > 1
+    how = Reading(options.tolerance, options.pen, options.smooth, options.landmarks_from_files, lines=several)
     selects = [options.select_source, *[None] * (len(words) - 2), options.select_target]
     if _is_loop(options):
         selects[-1] = selects[0]
+    # A smoothing is in the unit of the files; a curve that comes with tween has another, and does not tremble.
+    plain = how._replace(smooth=how.smooth if all(map(_comes_with_tween, words)) else None)
+
+    @cache  # the first curve of a loop is named twice, and what is said of it need not be
+    def shape(word: str, select: str | None) -> Shape:
+        return read_shape(word, select, plain if is_full(word) else how)
+
     with stage(options.verbose, f"reading {' and '.join(words)}"):
-        return [
-            None if word == "disk" else read_shape(word, select, how)
-            for word, select in zip(words, selects, strict=True)
-        ]
+        return [None if word == "disk" else shape(word, select) for word, select in zip(words, selects, strict=True)]
+
+
+def _comes_with_tween(word: str) -> bool:
+    return word == "disk" or is_full(word)
 
 
 def _ends(options: Options, shapes: list[Shape | None]) -> list[Curve | Triangulation]:
@@ -203,6 +213,7 @@ def _landmarks_from_files(shapes: list[Shape | None]) -> list[tuple[int, ...]]:
 
 def _trust(m: Morph, certificate: Certificate | None) -> str:
     if certificate is not None:
-        checked = f"checked for every instant of playback at {certificate.frames_checked} frames"
-        return checked if certificate.valid else "refuted: not every shape bounds an immersed disk"
+        checked = certificate.proof.split(": ")[0]
+        valid = f"{checked} at {certificate.frames_checked} frames"
+        return valid if certificate.valid else "refuted: not every shape bounds an immersed disk"
     return "promised to be valid, not checked (--certify checks it)" if m.proof else "not checked (--certify checks it)"

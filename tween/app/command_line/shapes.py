@@ -36,15 +36,18 @@ class Reading(NamedTuple):
         How wide to draw the line that the file holds, see `tween.io.read_stroke`; without it, the line is the curve
         itself.
     smooth : float or None
-        By how much what is read from a file may be moved, see `tween.clean`; without it, nothing is cleaned.
+        By how much anything may be moved, see `tween.clean`; without it, nothing is cleaned.
     marked : bool
         Whether circles that have an id only mark places, see `tween.io.read_marks`.
+    lines : bool
+        Whether the pen draws lines only: what is closed and filled stays the outline that it is.
     """
 
     tolerance: float | None = None
     pen: float | None = None
     smooth: float | None = None
     marked: bool = False
+    lines: bool = False
 
 
 _PLAIN = Reading()
@@ -112,11 +115,14 @@ def read_shape(word: str, select: str | None = None, how: Reading = _PLAIN) -> S
     Curve(62 vertices, turning number 1)
     """
     found = _found(word, select, how)
+    if how.lines and how.pen is not None and _is_filled(found):
+        say(f"tween: note: {label(word)}: not drawn with the pen, as it is filled")
+        how = how._replace(pen=None)
     with naming(label(word)):
-        if isinstance(found, Curve):
-            curve = found
+        if how.smooth is not None:
+            curve = _cleaned(word, _points(found, how), how.smooth)
         else:
-            curve = _curve(found, how.pen) if how.smooth is None else _cleaned(word, found, how)
+            curve = found if isinstance(found, Curve) else _curve(found, how.pen)
     return Shape(word, curve, _hint(found) if how.pen is None else "")
 
 
@@ -139,9 +145,17 @@ def read_points(word: str, select: str | None = None, how: Reading = _PLAIN) -> 
     """
     found = _found(word, select, how)
     with naming(label(word)):
-        if isinstance(found, Curve):
-            return found.points
-        return found.points if how.pen is None else drawn(found.points, how.pen, found.pen).points
+        return _points(found, how)
+
+
+def _points(found: Curve | Outline, how: Reading) -> NDArray[np.float64]:
+    if isinstance(found, Curve) or how.pen is None:
+        return found.points
+    return drawn(found.points, how.pen, found.pen).points
+
+
+def _is_filled(found: Curve | Outline) -> bool:
+    return isinstance(found, Outline) and not found.pen.alone and bool((found.points[0] == found.points[-1]).all())
 
 
 def _hint(found: Curve | Outline) -> str:
@@ -176,9 +190,8 @@ def _curve(outline: Outline, pen: float | None) -> Curve:
     return curve_of(outline.points) if pen is None else drawn(outline.points, pen, outline.pen)
 
 
-def _cleaned(word: str, outline: Outline, how: Reading) -> Curve:
-    points = outline.points if how.pen is None else drawn(outline.points, how.pen, outline.pen).points
-    curve = clean(points, how.smooth)
+def _cleaned(word: str, points: NDArray[np.float64], smooth: float) -> Curve:
+    curve = clean(points, smooth)
     dropped = f", {len(curve.changes.dropped)} pieces dropped" if curve.changes.dropped else ""
     say(f"tween: note: {label(word)}: {str(curve.changes).splitlines()[0]}{dropped}")
     return curve

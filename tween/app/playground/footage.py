@@ -1,14 +1,15 @@
 """Morphs in numbers that a browser can draw: shapes, areas, sums of angles, and what is certified.
 
-Shapes are placed in a field that is `BOX` units wide and high, y up; those of a morph all at one scale.
+Shapes are placed in a field, see `.fields`; those of a morph all at one scale.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tween.app.playground.hand_drawn import BOX, many
+from tween.app.playground.fields import fitting
+from tween.app.playground.hand_drawn import many
 from tween.geometry.dual_tree import along_longest_path
 from tween.geometry.triangulation import Triangulation
 from tween.measuring.certificate import Certificate, certify
@@ -19,12 +20,10 @@ from tween.plot.shapes import identity_colors
 
 FRAMES = 81
 
-_MARGIN = 0.06 * BOX
 
-_Floats = NDArray[np.float64]
-
-
-def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") -> dict[str, Any]:
+def footage(
+    m: Morph, guarantee: bool = False, root: str | int = "disk-center", landmarks: Sequence[tuple[int, int]] = ()
+) -> dict[str, Any]:
     """Describe a morph in numbers that a browser can draw.
 
     Parameters
@@ -34,6 +33,8 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         Whether it was made with one, so that none is recommended.
     root : str or int
         The one that it was made with.
+    landmarks : sequence of (int, int)
+        Those that it was made with.
 
     Returns
     -------
@@ -41,8 +42,8 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         frames : 81 lists x, y, x, y, ..., at one scale; stages : the lists of triangles in
         force, a, b, c, a, ...; stage : which of them, for each frame; areas : for each frame, of each triangle, in
         10000ths of the source; sums, worst : for each frame, the largest sum of angles, in radians, and its vertex;
-        colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; words, valid : what
-        `.certify` says.
+        colors, order : of each triangle, and of all along the disk; root : a triangle, or -1; marks : the vertex
+        of each landmark; words, valid : what `.certify` says.
 
     Examples
     --------
@@ -57,8 +58,10 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
     sums = angle_sums(m, times)
     certificate = certify(m, FRAMES)
     colors = np.rint(255 * identity_colors(m.source)[:, :3]).astype(np.uint8)
+    shapes = m.at(times)
+    place = fitting(shapes)
     return {
-        "frames": _in_field(m.at(times)),
+        "frames": [place.forth(shape) for shape in shapes],
         "stages": [m.triangles_at(float(times[f])).ravel().tolist() for f in first],
         "stage": stage.tolist(),
         "areas": np.rint(1e4 * area_matrix(m, FRAMES).T).astype(int).tolist(),
@@ -67,6 +70,7 @@ def footage(m: Morph, guarantee: bool = False, root: str | int = "disk-center") 
         "colors": ["#" + bytes(color).hex() for color in colors],
         "order": _along(m.source),
         "root": _root(m, root),
+        "marks": _marks(m, landmarks),
         "valid": certificate.valid,
         "words": _promise(m, certificate, guarantee),
     }
@@ -77,33 +81,9 @@ def _along(T: Triangulation) -> list[int]:
     return np.argsort(along_longest_path(T), kind="stable").tolist()
 
 
-def fit(points: _Floats) -> list[int]:
-    """Place points in a field, as large as it allows.
-
-    Parameters
-    ----------
-    points : ndarray of float64, shape (n, 2)
-
-    Returns
-    -------
-    list of int
-        x, y, x, y, ...
-
-    Examples
-    --------
-    >>> fit(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]))
-    [60, 280, 940, 280, 60, 720]
-    """
-    return _in_field(points[None])[0]
-
-
-def _in_field(shapes: _Floats) -> list[list[int]]:
-    """Place shapes in a field, all at one scale, as large as it allows."""
-    low, high = shapes.min(axis=(0, 1)), shapes.max(axis=(0, 1))
-    scale = (BOX - 2 * _MARGIN) / (high - low).max()
-    places = np.rint((shapes - 0.5 * (low + high)) * scale + 0.5 * BOX).astype(int)
-    rows: list[list[int]] = places.reshape(len(shapes), -1).tolist()
-    return rows
+def _marks(m: Morph, landmarks: Sequence[tuple[int, int]]) -> list[int]:
+    """The vertex of the morph that each landmark has become."""
+    return [int(np.flatnonzero(m.source_vertices == i)[0]) for i, _ in landmarks]
 
 
 def _root(m: Morph, root: str | int) -> int:

@@ -2,7 +2,7 @@
 
     stroke -> points -> Curve -> verdict
 
-A field to draw in is `BOX` units wide and high, y up.
+A field to draw in is `.fields.BOX` units wide and high, y up.
 """
 
 from typing import NamedTuple
@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from tween.app.playground.fields import BOX, Placement, fitting
 from tween.errors import CurveError
 from tween.gallery.generators import evenly, on_grid
 from tween.geometry.curve import Curve, as_curve
 from tween.triangulating.decomposition import Decomposition, decompose
-
-BOX = 1000
+from tween.triangulating.repair.explanation import Explanation
 
 MOST_COUNTED = 200
 """Vertices up to which triangulations are counted unasked: beyond, it may take a while."""
@@ -35,7 +35,7 @@ def from_stroke(stroke: ArrayLike) -> _Floats:
     Parameters
     ----------
     stroke : array_like, shape (k, 2)
-        Places of the pointer, in units of which a field is `BOX` wide.
+        Places of the pointer, in units of which a field is `.fields.BOX` wide.
 
     Returns
     -------
@@ -108,6 +108,14 @@ class Shape(NamedTuple):
         Whether its coordinates are those of the field.
     disk : bool
         Whether it is the disk that the other one becomes.
+    placement : Placement
+        Where it is in the field.
+    explanation : Explanation or None
+        Why it bounds no disk.
+    broken : ndarray of float64, shape (n, 2), or None
+        Points that make no curve, where there is none.
+    moved : bool
+        Whether vertices of another shape were moved to make it, whose numbers are the rows of `Curve.origin`.
     """
 
     curve: Curve | None
@@ -115,9 +123,15 @@ class Shape(NamedTuple):
     words: str
     drawn: bool = False
     disk: bool = False
+    placement: Placement = Placement()
+    explanation: Explanation | None = None
+    broken: _Floats | None = None
+    moved: bool = False
 
 
-def judge(points: Curve | ArrayLike, drawn: bool = False) -> Shape:
+def judge(
+    points: Curve | ArrayLike, drawn: bool = False, placement: Placement | None = None, brief: bool = False
+) -> Shape:
     """Say in plain words whether a curve bounds an immersed disk, or why not.
 
     Parameters
@@ -125,6 +139,10 @@ def judge(points: Curve | ArrayLike, drawn: bool = False) -> Shape:
     points : Curve or array_like of shape (n, 2)
     drawn : bool
         Whether its coordinates are those of the field.
+    placement : Placement, optional
+        Where it is in the field; by default as large as that allows, or where it was drawn.
+    brief : bool
+        Whether to leave out what takes longer: how many triangulations there are, or what would mend it.
 
     Returns
     -------
@@ -137,21 +155,28 @@ def judge(points: Curve | ArrayLike, drawn: bool = False) -> Shape:
     """
     curve = as_curve(points)
     answer = decompose(curve)
-    k = curve.turning_number
-    if answer:
-        facts = [f"{len(curve)} vertices", many(len(curve.crossings), "crossing")]
-        if len(curve) <= MOST_COUNTED:
-            facts.append(f"{_roughly(answer.count)} triangulations")
-        words = f"Bounds an immersed disk. {', '.join(facts)}."
-    elif k == 0:
-        words = "Bounds no disk: it turns as much to the right as to the left, and the boundary of a disk turns once."
-    elif k > 1:
-        words = f"Bounds no disk: it turns {k} times, and the boundary of a disk turns once."
-    else:
-        words = "Bounds no disk: it turns once, but no triangles with the same side up fill it; it would have to fold."
-    if curve.reversed_input:
+    words = _bounds(curve, answer, brief) if answer else _bounds_none(curve.turning_number)
+    if curve.reversed_input and not brief:
         words += " Drawn clockwise, so it is traversed the other way."
-    return Shape(curve, answer, words, drawn)
+    if placement is None:
+        placement = Placement() if drawn else fitting(curve.points)
+    explanation = None if answer or brief else answer.explain()
+    return Shape(curve, answer, words, drawn, placement=placement, explanation=explanation)
+
+
+def _bounds(curve: Curve, answer: Decomposition, brief: bool) -> str:
+    facts = [f"{len(curve)} vertices", many(len(curve.crossings), "crossing")]
+    if len(curve) <= MOST_COUNTED and not brief:
+        facts.append(f"{_roughly(answer.count)} triangulations")
+    return f"Bounds an immersed disk. {', '.join(facts)}."
+
+
+def _bounds_none(turning_number: int) -> str:
+    if turning_number == 0:
+        return "Bounds no disk: it turns as much to the right as to the left, and the boundary of a disk turns once."
+    if turning_number > 1:
+        return f"Bounds no disk: it turns {turning_number} times, and the boundary of a disk turns once."
+    return "Bounds no disk: it turns once, but no triangles with the same side up fill it; it would have to fold."
 
 
 def _roughly(count: int) -> str:

@@ -1,6 +1,6 @@
 """What a person does at a playground, without the browser: shapes drawn or chosen, a morph, files.
 
-    stroke or name -> Sketch.choose -> verdicts        options -> Sketch.move -> footage        Sketch.save -> file
+    wish -> Sketch.choose -> verdicts   options -> Sketch.move -> footage   file -> Sketch.take   Sketch.save -> file
 
 All goes in and comes out as plain dictionaries, which become JSON.  Errors come out as words.
 """
@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tween import gallery
-from tween.app.playground.footage import fit, footage
-from tween.app.playground.hand_drawn import Shape, from_stroke, judge
-from tween.errors import FileError, TweenError
+from tween.app.playground.fields import explained
+from tween.app.playground.footage import footage
+from tween.app.playground.hand_drawn import Shape, judge
+from tween.app.playground.wishes import HINT, granted, handed_in, in_words
+from tween.errors import FileError
 from tween.geometry.curve import Curve, as_curve
 from tween.geometry.triangulation import Triangulation
 from tween.io.frames import write_frames
@@ -32,6 +33,7 @@ OPTIONS: dict[str, Any] = {
     "triangulation": "matched",
     "guarantee": True,
     "seed": 0,
+    "landmarks": [],
 }
 TRIANGULATIONS = {
     "matched": "matched",
@@ -57,7 +59,6 @@ KINDS = {
     "strip": ("frames side by side, SVG", "tween_frames.svg"),
     "csv": ("first curve, CSV", "tween_curve.csv"),
 }
-HINT = "Draw a closed curve here: press, go around, let go."
 
 
 class Sketch:
@@ -70,6 +71,8 @@ class Sketch:
 
     Attributes
     ----------
+    curves : dict of str to Curve
+        What was given, and what was handed in, by name.
     source, target : Shape
         What was drawn or chosen last.
     morph : Morph or None
@@ -86,28 +89,63 @@ class Sketch:
 
     def __init__(self, given: Curve | ArrayLike | None = None) -> None:
         self.given = None if given is None else as_curve(given)
+        self.curves = {} if self.given is None else {"given": self.given}
         self.source = self.target = Shape(None, None, HINT)
         self.morph: Morph | None = None
 
-    def choose(self, source: Mapping[str, Any], target: Mapping[str, Any]) -> dict[str, Any]:
+    def choose(self, source: Mapping[str, Any], target: Mapping[str, Any], brief: bool = False) -> dict[str, Any]:
         """Take the two shapes, and say whether they bound disks.
 
         Parameters
         ----------
         source, target : mapping
-            With a stroke, a list of places of the pointer; or with a name: one of `tween.gallery.names` or
-            `tween.gallery.letters`, "given", "draw" for nothing yet, or "disk" for the target.
+            See `.wishes`; the name "disk" is for the target only.
+        brief : bool
+            As in `.judge`.
 
         Returns
         -------
         dict
             source, target : dict
-                ok : bool; words : the verdict; points : x, y, x, y, ...; triangles : a, b, c, a, ...
+                ok : bool; words : the verdict; points : x, y, x, y, ...; triangles : a, b, c, a, ...; rows : where
+                vertices were moved, their numbers before; why : see `.explained`.
         """
         self.morph = None
-        self.source = self._shape(source)
-        self.target = self._disk() if target.get("name") == "disk" else self._shape(target)
+        self.source = granted(source, self.curves, brief)
+        self.target = self._disk() if target.get("name") == "disk" else granted(target, self.curves, brief)
         return {"source": _seen(self.source), "target": _seen(self.target)}
+
+    def take(self, name: str, data: bytes) -> tuple[list[str], str]:
+        """Take a file that was handed in: its curves can be chosen by name from then on.
+
+        Parameters
+        ----------
+        name : str
+            Of the file.
+        data : bytes
+
+        Returns
+        -------
+        names : list of str
+            Of its curves, of which none was taken before.
+        notes : str
+            What of the file is not used.
+
+        Raises
+        ------
+        FileError, CurveError
+            As `.handed_in`; nothing is taken then.
+        """
+        curves, notes = handed_in(name, data)
+        names = []
+        for wanted, curve in curves.items():
+            number, free = 1, wanted
+            while free in self.curves:
+                number += 1
+                free = f"{wanted} ({number})"
+            self.curves[free] = curve
+            names.append(free)
+        return names, notes
 
     def move(self, options: Mapping[str, Any]) -> dict[str, Any]:
         """Morph one shape into the other.
@@ -115,7 +153,8 @@ class Sketch:
         Parameters
         ----------
         options : mapping
-            Any of the keys of `OPTIONS`, whose values are the defaults.
+            Any of the keys of `OPTIONS`, whose values are the defaults.  Landmarks are pairs of vertices, which keep
+            their numbers when others are moved.
 
         Returns
         -------
@@ -123,13 +162,16 @@ class Sketch:
             See `footage`; without frames where there is no morph, and `words` says why.
         """
         self.morph = None
-        for shape in (self.source, self.target):
-            if not shape.answer:
-                return _nothing(HINT if shape.curve is None else "No morph: both curves have to bound a disk.")
+        shapes = self.source, self.target
+        if any(shape.words == HINT for shape in shapes):
+            return _nothing("Draw a closed curve on either side.") | {"waiting": True}
+        if not all(shape.answer for shape in shapes):
+            return _nothing("No morph: both curves have to bound a disk.")
         wanted = OPTIONS | dict(options)
         try:
+            wanted["landmarks"] = [(_shown(self.source, i), _shown(self.target, j)) for i, j in wanted["landmarks"]]
             self.morph = self._morph(**wanted)
-            return footage(self.morph, wanted["guarantee"], wanted["root"])
+            return footage(self.morph, wanted["guarantee"], wanted["root"], wanted["landmarks"])
         except Exception as error:  # a person at a widget has no use for a traceback
             return _nothing(in_words(error))
 
@@ -167,15 +209,6 @@ class Sketch:
             write_frames(path, self.morph, frames=9 if kind == "strip" else 60)
         return path
 
-    def _shape(self, wish: Mapping[str, Any]) -> Shape:
-        try:
-            if "stroke" in wish:
-                return judge(from_stroke(wish["stroke"]), drawn=True)
-            curve = _named(str(wish.get("name", "draw")), self.given)
-            return Shape(None, None, HINT) if curve is None else judge(curve)
-        except Exception as error:  # as above
-            return Shape(None, None, in_words(error))
-
     def _disk(self) -> Shape:
         """The disk that the source becomes; nothing where the source bounds none."""
         if not self.source.answer:
@@ -183,17 +216,19 @@ class Sketch:
         disk = _triangulated(self.source, None).on_disk()
         return judge(disk.curve)._replace(words="A disk of the same area.", disk=True)
 
-    def _morph(self, triangulation: str, seed: int, **options: Any) -> Morph:
+    def _morph(self, triangulation: str, seed: int, landmarks: list[tuple[int, int]], **options: Any) -> Morph:
         if triangulation not in TRIANGULATIONS:
             raise ValueError(f"triangulation is {triangulation!r}, expected one of {', '.join(TRIANGULATIONS)}")
+        if landmarks and triangulation != "matched":
+            raise ValueError(f"landmarks are for triangles that are matched, but those are {triangulation}")
         rng = np.random.default_rng(seed) if triangulation == "random" else None
         first = _triangulated(self.source, rng)
-        if self.target.disk:
+        if self.target.disk and not landmarks:
             return morph(first, first.on_disk(), **options)
         second = _triangulated(self.target, rng)
         second = second.moved(second.points * self._scale(first, second))
         if triangulation == "matched":
-            return morph(first.curve, second.curve, **options)
+            return morph(first.curve, second.curve, landmarks=landmarks or None, **options)
         return morph(first, second, strategy="paper", **options)
 
     def _scale(self, first: Triangulation, second: Triangulation) -> float:
@@ -202,12 +237,12 @@ class Sketch:
         return 1.0 if both_drawn else float(2.0 ** np.rint(0.5 * np.log2(first.curve.area / second.curve.area)))
 
 
-def _named(name: str, given: Curve | None) -> Curve | None:
-    if name == "draw":
-        return None
-    if name == "given" and given is not None:
-        return given
-    return gallery.letter(name) if len(name) == 1 else gallery.curve(name)
+def _shown(shape: Shape, row: int) -> int:
+    """The vertex that had a number before vertices were moved: a curve that turned clockwise is numbered anew."""
+    if not shape.moved or shape.curve is None:
+        return row
+    found = np.flatnonzero(shape.curve.origin == row)
+    return int(found[0]) if len(found) else row
 
 
 def _triangulated(shape: Shape, rng: np.random.Generator | None) -> Triangulation:
@@ -218,38 +253,20 @@ def _triangulated(shape: Shape, rng: np.random.Generator | None) -> Triangulatio
 
 def _seen(shape: Shape) -> dict[str, Any]:
     """What a field shows of a shape."""
-    if shape.curve is None:
-        return {"ok": False, "words": shape.words, "points": [], "triangles": []}
-    points = shape.curve.points
+    points = shape.broken if shape.curve is None else shape.curve.points
+    moved = shape.curve is not None and shape.moved
     return {
         "ok": bool(shape.answer),
         "words": shape.words,
-        "points": np.rint(points).astype(int).ravel().tolist() if shape.drawn else fit(points),
+        "points": [] if points is None else shape.placement.forth(points),
         "triangles": _triangulated(shape, None).triangles.ravel().tolist() if shape.answer else [],
+        "rows": shape.curve.origin.tolist() if moved and shape.curve is not None else None,
+        "why": explained(shape.explanation, shape.placement) if shape.explanation is not None else None,
     }
 
 
 def _nothing(words: str) -> dict[str, Any]:
     return {"frames": [], "words": words, "valid": False}
-
-
-def in_words(error: Exception) -> str:
-    """Say what to tell a person about an error.
-
-    Parameters
-    ----------
-    error : Exception
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> in_words(FileError("there is no morph to save yet")), in_words(KeyError("kind"))
-    ('there is no morph to save yet', "KeyError: 'kind'")
-    """
-    return str(error) if isinstance(error, TweenError | ValueError) else f"{type(error).__name__}: {error}"
 
 
 def _unused(path: Path) -> Path:

@@ -6,9 +6,7 @@ face, in static/, computes nothing but where the pointer is.
 
 import importlib.util
 import io
-import sys
-import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,13 +14,13 @@ from typing import Any
 from numpy.typing import ArrayLike
 from PIL import Image
 
-from tween import gallery, plot
-from tween.app.playground.hand_drawn import BOX
-from tween.app.playground.sketch import HELP, KINDS, OPTIONS, ROOTS, TRIANGULATIONS, Sketch, in_words
-from tween.choices import PATHS
+from tween.app.playground.conversation import Conversation, setup
+from tween.app.playground.sketch import OPTIONS, Sketch
 from tween.geometry.curve import Curve
+from tween.io.reading import read_curve
 from tween.plot import pixels
 from tween.plot.film import record
+from tween.plot.notebook import has_front_end
 
 _STATIC = Path(__file__).with_name("static")
 _FIRST = "loop"
@@ -58,18 +56,28 @@ def playground(curve: Curve | ArrayLike | None = None, live: bool | None = None)
     Morph(86 vertices, 0 flips)
     """
     missing = [name for name in ("anywidget", "ipywidgets") if importlib.util.find_spec(name) is None]
-    wanted = _has_front_end() if live is None else live
+    wanted = has_front_end() if live is None else live
     sketch = Sketch(curve)
     if wanted and not missing:
         return _widget()(sketch)
     return Picture(sketch, missing)
 
 
-def _has_front_end() -> bool:
-    """Whether the cell being run was sent by a person, who could be asked; a program that runs notebooks says no."""
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    message: dict[str, Any] = getattr(shell, "get_parent", dict)() or {}
-    return bool(message.get("content", {}).get("allow_stdin"))
+def on_page(path: str | None = None, folder: str | Path = ".") -> Any:
+    """Show a playground on a page of its own, see `.page`: it is there before its first morph is.
+
+    Parameters
+    ----------
+    path : str, optional
+        A file with a curve to begin with.
+    folder : path
+        Where files are saved.
+
+    Returns
+    -------
+    Playground
+    """
+    return _widget()(Sketch(None if path is None else read_curve(path)), folder, at_once=False)
 
 
 class Picture:
@@ -123,44 +131,27 @@ def _widget() -> Any:
     import traitlets
 
     class Playground(anywidget.AnyWidget):
-        _esm = _face("playground.js", "drawing.js")
+        _esm = _face("playground.js", "layout.js", "fields.js", "drawing.js", "plots.js")
         _css = _face("playground.css")
         setup = traitlets.Dict().tag(sync=True)
         # From the browser.  Each says all that there is to say, so that none may be lost when they come fast.
-        source = traitlets.Dict().tag(sync=True)
-        target = traitlets.Dict().tag(sync=True)
-        options = traitlets.Dict().tag(sync=True)
-        wish = traitlets.Dict().tag(sync=True)
+        source, target, options, upload, wish = (traitlets.Dict().tag(sync=True) for _ in range(5))
         # To the browser.
-        shapes = traitlets.Dict().tag(sync=True)
-        footage = traitlets.Dict().tag(sync=True)
-        file = traitlets.Dict().tag(sync=True)
+        shapes, footage, uploads, file = (traitlets.Dict().tag(sync=True) for _ in range(4))
 
-        def __init__(self, sketch: Sketch) -> None:
-            first = "given" if sketch.given else _FIRST
-            super().__init__(
-                setup=_setup(sketch), source={"name": first}, target={"name": "disk"}, options=OPTIONS | {"asked": 0}
-            )
-            self.sketch = sketch
-            self._answered: Any = (None, None)
-            self._answer()
+        def __init__(self, sketch: Sketch, folder: str | Path = ".", at_once: bool = True) -> None:
+            first, options = {"name": "given" if sketch.given else _FIRST}, OPTIONS | {"asked": 0}
+            super().__init__(setup=setup(sketch), source=first, target={"name": "disk"}, options=options)
+            self.sketch, self._conversation = sketch, Conversation(sketch, folder)
+            if at_once:
+                self._answer()
             self.observe(self._answer, names=["source", "target", "options"])
-            self.observe(self._keep, names=["wish"])
+            self.observe(lambda _: self.set_trait("uploads", self._conversation.take(self.upload)), names=["upload"])
+            self.observe(lambda _: self.set_trait("file", self._conversation.keep(self.wish)), names=["wish"])
 
         def _answer(self, _: Any = None) -> None:
-            """The verdicts go ahead of the morph, which may take a moment; the number asked with goes back."""
-            wish = (self.source, self.target), self.options
-            if wish == self._answered:
-                return
-            if wish[0] != self._answered[0]:
-                self.shapes = self.sketch.choose(self.source, self.target)
-            self._answered = wish
-            options = dict(self.options)
-            asked = options.pop("asked", 0)
-            self.footage = self.sketch.move(options) | {"asked": asked}
-
-        def _keep(self, _: Any) -> None:
-            self.file = _kept(self.sketch, self.wish) | {"asked": self.wish.get("asked", 0)}
+            for name, answer in self._conversation.answer(self.source, self.target, self.options):
+                self.set_trait(name, answer)
 
         def __repr__(self) -> str:
             return f"A playground, alive in JupyterLab.\n{_INSTRUCTIONS}"
@@ -171,33 +162,3 @@ def _widget() -> Any:
 def _face(*names: str) -> str:
     """The text of files of the folder static, one after the other."""
     return "\n".join((_STATIC / name).read_text(encoding="utf-8") for name in names)
-
-
-def _setup(sketch: Sketch) -> dict[str, Any]:
-    """What the browser has to know once: what can be chosen, and the colours of the figures."""
-    return {
-        "box": BOX,
-        "given": sketch.given is not None,
-        "curves": [[name, gallery.describe(name)] for name in gallery.names()],
-        "letters": list(gallery.letters()),
-        "help": HELP,
-        "paths": [[path] for path in PATHS],
-        "roots": list(ROOTS.items()),
-        "triangulations": list(TRIANGULATIONS.items()),
-        "kinds": [[kind, words] for kind, (words, _) in KINDS.items()],
-        "colors": {"source": plot.SOURCE, "target": plot.TARGET, "pivot": plot.PIVOT, "failure": plot.FAILURE},
-    }
-
-
-def _kept(sketch: Sketch, wish: Mapping[str, Any]) -> dict[str, Any]:
-    """Save what is wished for in the current folder, or hand it to the browser; say how that went."""
-    try:
-        if wish.get("where") == "browser":
-            with tempfile.TemporaryDirectory() as folder:
-                path = sketch.save(wish["kind"], folder)
-                return {"name": path.name, "data": path.read_bytes(), "words": f"Downloaded {path.name}."}
-        path = sketch.save(wish["kind"])
-        size = max(1, round(path.stat().st_size / 1000))
-        return {"name": path.name, "words": f"Saved {path.name}, {size} kB, in the current folder."}
-    except Exception as error:  # a person at a widget has no use for a traceback
-        return {"name": "", "words": f"Not saved: {in_words(error)}"}

@@ -113,9 +113,26 @@ def content_of(path: AnyPath) -> bytes:
     status = os.stat(path)
     if not stat.S_ISREG(status.st_mode):
         raise FileError("is no regular file, expected one")
-    if not 0 < status.st_size <= LARGEST_FILE:
-        raise FileError(f"has {status.st_size} bytes, expected 1 to {LARGEST_FILE}")
+    check_size(status.st_size)
     return Path(path).read_bytes()
+
+
+def check_size(size: int) -> None:
+    """Refuse what is empty or too large to be read.
+
+    Parameters
+    ----------
+    size : int
+        Bytes.
+
+    Raises
+    ------
+    FileError
+    """
+    if size == 0:
+        raise FileError("is empty, expected the points of a curve or of frames")
+    if size > LARGEST_FILE:
+        raise FileError(f"has {size} bytes, expected at most {LARGEST_FILE}")
 
 
 def write(path: AnyPath, formats: Mapping[str, Callable[[], str | bytes]]) -> Path:

@@ -230,7 +230,7 @@ def _simplify(points, triangles, twin, fixed, sizes, weights):
     return kept, lists, counts
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _least(values):
     """Where the first of the smallest values is."""
     best = 0
@@ -240,7 +240,7 @@ def _least(values):
     return best
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _record(triangles, gone, alive, kept, rows):
     """Write down what is left."""
     kept[:], size = alive, 0
@@ -250,7 +250,7 @@ def _record(triangles, gone, alive, kept, rows):
             size += 1
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _importance(points, a, v, b, weights):
     """Twice the area of a, v, b, and something for the turn at v; in single precision, so that equal triangles tie."""
     sharpness, spacing = weights
@@ -264,7 +264,7 @@ def _importance(points, a, v, b, weights):
     return np.float64(np.float32(abs(cross) + sharpness * turned * turned + apart))
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _star(triangles, twin, h, link, around, past):
     """Walk around a vertex: its link from b to a, its triangles, and what lies across the link's edges."""
     size = 0
@@ -304,7 +304,7 @@ def _fill(points, triangles, twin, out, size, link, around, past):
         i = _ear(points, polygon, size)
         t = around[used]
         used += 1
-        triangles[t] = polygon[i - 1], polygon[i], polygon[i + 1]
+        triangles[t, 0], triangles[t, 1], triangles[t, 2] = polygon[i - 1], polygon[i], polygon[i + 1]
         _join(triangles, twin, out, 3 * t, beyond[i - 1])
         _join(triangles, twin, out, 3 * t + 1, beyond[i])
         beyond[i - 1] = 3 * t + 2
@@ -314,7 +314,7 @@ def _fill(points, triangles, twin, out, size, link, around, past):
     _join(triangles, twin, out, beyond[0], -1)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _join(triangles, twin, out, h, g):
     """Make half-edges twins; one of them is -1 where the other lies on the curve."""
     if h >= 0:
@@ -326,7 +326,7 @@ def _join(triangles, twin, out, h, g):
         out[triangles[edge // 3, edge % 3]] = edge
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _ear(points, polygon, size):
     """A tip whose triangle holds no other vertex; of those, the one with the shortest side across."""
     best, shortest = -1, np.inf
@@ -338,7 +338,7 @@ def _ear(points, polygon, size):
     return best
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _is_ear(points, polygon, size, i):
     x, y, z = polygon[i - 1], polygon[i], polygon[i + 1]
     if turn(points, x, y, z) <= 0:

@@ -1,4 +1,4 @@
-// Pictures on a canvas: shapes, morphs, plots.  Joined to playground.js by tween/widget.py.
+// Pictures on a canvas: shapes, why one bounds no disk, morphs.
 
 const INK = "#262626";
 
@@ -50,7 +50,66 @@ function drawStroke(ctx, stroke, color) {
   dot(ctx, stroke[0], color, 3.5);
 }
 
-function drawFrame(ctx, footage, f, colors) {
+function ring(ctx, [x, y], color, radius) {
+  ctx.beginPath();
+  ctx.arc(x, y, radius * ctx.pixel, 0, 7);
+  ctx.strokeStyle = color;
+  ctx.lineWidth = 1.6 * ctx.pixel;
+  ctx.stroke();
+}
+
+function drawVertices(ctx, points, color) {
+  for (let i = 0; i < points.length; i += 2) dot(ctx, [points[i], points[i + 1]], color, 1.7);
+}
+
+// A landmark: its number in a dot.
+function drawMark(ctx, [x, y], number, color) {
+  if (x === undefined) return;
+  dot(ctx, [x, y], "white", 9);
+  dot(ctx, [x, y], color, 8);
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.scale(ctx.pixel, -ctx.pixel); // letters are drawn y down
+  ctx.font = "bold 10px system-ui, sans-serif";
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.fillStyle = "white";
+  ctx.fillText(number, 0, 0.5);
+  ctx.restore();
+}
+
+// As tween.plot.draw_explanation does.
+function drawWhy(ctx, points, why, colors) {
+  ctx.globalAlpha = 0.18;
+  area(ctx, [why.mended], colors.tree);
+  ctx.globalAlpha = 0.45;
+  for (const rings of why.negative) area(ctx, rings, colors.failure);
+  ctx.globalAlpha = 1;
+  outline(ctx, why.mended, colors.tree, 3.2);
+  outline(ctx, points, INK, 1.1);
+  dashed(ctx, why.surplus, colors.failure, 2, [1, 3.5]);
+  dashed(ctx, why.lost, colors.failure, 1.8, [5, 3.5]);
+  for (let i = 0; i < why.places.length; i += 2) dot(ctx, [why.places[i], why.places[i + 1]], INK, 2);
+  for (let i = 0; i < why.tiny.length; i += 2) ring(ctx, [why.tiny[i], why.tiny[i + 1]], colors.pivot, 6);
+}
+
+function area(ctx, rings, color) {
+  ctx.beginPath();
+  for (const points of rings) {
+    for (let i = 0; i < points.length; i += 2) ctx[i ? "lineTo" : "moveTo"](points[i], points[i + 1]);
+    ctx.closePath();
+  }
+  ctx.fillStyle = color;
+  ctx.fill("evenodd");
+}
+
+function dashed(ctx, polygons, color, width, dashes) {
+  ctx.setLineDash(dashes.map((length) => length * ctx.pixel));
+  for (const points of polygons) outline(ctx, points, color, width);
+  ctx.setLineDash([]);
+}
+
+function drawFrame(ctx, footage, f, colors, marks) {
   if (!footage.frames.length) return;
   const points = footage.frames[f];
   const triangles = footage.stages[footage.stage[f]];
@@ -63,8 +122,10 @@ function drawFrame(ctx, footage, f, colors) {
   }
   outline(ctx, points, INK, 1.2);
   if (footage.root >= 0) dot(ctx, middle(points, triangles, footage.root), colors.pivot, 3.5);
+  const at = (v) => [points[2 * v], points[2 * v + 1]];
+  footage.marks.forEach((v, k) => drawMark(ctx, at(v), `${k + 1}`, marks[k % marks.length]));
   const v = footage.worst[f];
-  if (footage.sums[f] >= 2 * Math.PI) dot(ctx, [points[2 * v], points[2 * v + 1]], colors.failure, 3.5);
+  if (footage.sums[f] >= 2 * Math.PI) dot(ctx, at(v), colors.failure, 3.5);
 }
 
 function middle(points, triangles, i) {
@@ -84,51 +145,6 @@ function triangleAt(footage, f, [x, y]) {
     if (left(a, b) && left(b, c) && left(c, a)) return i;
   }
   return -1;
-}
-
-// Plots
-
-const percent = (share) => `${(share / 100).toFixed(1)} %`;
-
-function areasInWords(areas) {
-  const total = areas.reduce((sum, area) => sum + area, 0);
-  return `largest ${percent(Math.max(...areas))}, all ${percent(total)} of the first shape`;
-}
-
-function sumsInWords(sum, vertex) {
-  return `${(sum / Math.PI).toFixed(3)} π at vertex ${vertex}; from 2 π on it is no disk`;
-}
-
-function drawAreas(ctx, footage, f) {
-  if (!footage.frames.length) return;
-  const [width, height] = ctx.size;
-  const top = roundUp(Math.max(...footage.areas[f]));
-  const step = width / footage.order.length;
-  footage.order.forEach((triangle, place) => {
-    ctx.fillStyle = footage.colors[triangle];
-    ctx.fillRect(place * step, 0, Math.max(step - 0.6, 0.6), (footage.areas[f][triangle] / top) * (height - 16));
-  });
-  line(ctx, [[0, height - 16], [width, height - 16]], "#d0d0d0", 1);
-  label(ctx, `${top / 100} %`, [width, height - 12], "#595959");
-}
-
-function roundUp(number) {
-  const power = 10 ** Math.floor(Math.log10(Math.max(number, 1)));
-  return power * [1, 2, 3, 5, 10].find((digit) => digit * power >= number);
-}
-
-function drawSums(ctx, footage, f, colors) {
-  if (!footage.frames.length) return;
-  const [width, height] = ctx.size;
-  const limit = 2 * Math.PI;
-  const last = footage.sums.length - 1;
-  const least = Math.min(...footage.sums, 0.75 * limit);
-  const most = Math.max(...footage.sums, limit);
-  const place = (i, sum) => [4 + (i / last) * (width - 8), 6 + ((sum - least) / (most - least)) * (height - 22)];
-  line(ctx, [place(0, limit), place(last, limit)], colors.failure, 1);
-  label(ctx, "2 π", [width, place(0, limit)[1] + 4], colors.failure);
-  line(ctx, footage.sums.map((sum, i) => place(i, sum)), INK, 1.4);
-  dot(ctx, place(f, footage.sums[f]), footage.sums[f] < limit ? INK : colors.failure, 3.5);
 }
 
 function line(ctx, places, color, width) {

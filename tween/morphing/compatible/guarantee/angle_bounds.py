@@ -125,7 +125,7 @@ def _from_boxes(z, bends, lengths, floors, times, low, high):
             box_angles(min(p.real, q.real) - wide, max(p.real, q.real) + wide, low_y, high_y, low, high, i, f)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def box_angles(low_x, high_x, low_y, high_y, low, high, i, f):
     """Write the bounds of the three angles of a third vertex in a box."""
     high[i, 0, f] = math.atan2(high_y if low_x > 0.0 else low_y, low_x)

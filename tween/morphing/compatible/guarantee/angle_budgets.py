@@ -212,11 +212,12 @@ def vertex_sums(corners, angles, n):
     sums = np.zeros((n, angles.shape[2]))
     for i in range(len(corners)):
         for s in range(3):
-            sums[corners[i, s]] += angles[i, s]
+            for f in range(angles.shape[2]):
+                sums[corners[i, s], f] += angles[i, s, f]
     return sums
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def keep_to_budget(z, t, first, last, low, high):
     """The third vertex, moved as little as the budgets of its triangle ask for."""
     wanted = (math.atan2(z.imag, z.real), math.atan2(z.imag, 1.0 - z.real), third_angle(z.real, z.imag))

@@ -185,7 +185,7 @@ def _cut(start: float, end: float) -> NDArray[np.float64]:
     return np.stack([knots[:-1], knots[1:]], axis=1)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _sines(low, high):
     """The least and the greatest sine of an angle within bounds."""
     low, high = max(low - _ANGLE_ERROR, 0.0), min(high + _ANGLE_ERROR, math.pi)
@@ -217,7 +217,7 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
     return found
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights):
     """Carry lengths and errors down the tree; least heights too, and bounds of the total area."""
     least, greatest = 0.0, 0.0
@@ -248,11 +248,11 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
     return least, greatest
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _spend(corners, children, low, high, f, near, errors, edges, spent):
     """Add up what each vertex needs: the turns of its boundary edges, and the roundings of its angles."""
     for i in range(len(corners)):
-        a, b, c = corners[i]
+        a, b, c = corners[i, 0], corners[i, 1], corners[i, 2]
         a0 = _sines(low[i, 0, f], high[i, 0, f])[0]
         of_z = _ANGLE_ERROR * (2.0 + (_sines(low[i, 1, f], high[i, 1, f])[1] / a0 if a0 > 0.0 else math.inf))
         spent[a] += 2.0 * _ANGLE_ERROR
@@ -268,7 +268,7 @@ def _spend(corners, children, low, high, f, near, errors, edges, spent):
                 spent[q] += turn
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _judge(corners, heights, errors, spent, slack, f, found):
     """Write down the triangle that is too low, or else the vertex that has too little left."""
     for i in range(len(corners)):
