@@ -92,7 +92,7 @@ notebooks: $(STAMP) $(WARM) ## Run every notebook in place
 test: $(STAMP) $(WARM) ## Check style and types, then run the tests, doctests and notebooks
 	@$(MAKE) lint
 	@echo "test: tests and doctests"
-	@$(BIN)/python -m pytest -n auto --doctest-modules tween tests
+	@$(BIN)/python -m pytest -n auto --dist worksteal --doctest-modules tween tests
 	@echo "test: running the notebooks anew and comparing their outputs with the committed ones"
 	@$(NBVAL) -n auto --dist loadfile --nbval --nbval-sanitize-with tests/nbval_sanitize.cfg $(filter-out $(PLAYGROUND),$(NOTEBOOKS))
 	@echo "test: running the playground, which people change, without comparing its outputs"

@@ -1,7 +1,7 @@
 """Studies of what the paper claims, on curves of our own; `catalogue` lists them, `reproduce` runs them all.
 
-    studies     one module a study, which writes to results/ what is named after it
-    claims      the verdict on every claim, a file a section of the paper
+    studies     one module per study, which writes to results/ what is named after it
+    claims      the verdict on every claim, one file per section of the paper
     figures     the paper's, and the studies'
     report      everything on one page
     benchmarks  times, beside peers

@@ -24,6 +24,7 @@ from tween import gallery
 from tween.choices import PATHS, ROOT_RULES
 from tween.errors import CurveError, GuaranteeError, IncompatibleError, NotSelfOverlappingError, TweenError
 from tween.geometry.triangulation import Triangulation
+from tween.measuring.frame_check import Checked, check, fault_words
 from tween.morphing.compatible.leg import left_below_full_turn
 
 TIMES = 2000
@@ -84,7 +85,7 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
         return kind, *fan(rng), {}
     T = one_end(rng, n)
     if kind == "disk":
-        return kind, T, T.on_disk(), {}
+        return kind, T, T.on_disk() if T.areas.min() > 0 else T, {}  # one that is not valid has no disk, and is refused
     if kind == "same":
         return kind, T, stretched(rng, stretched(rng, T)), {}
     m = int(rng.integers(5, 24)) if kind == "counts" else n
@@ -97,31 +98,43 @@ def pair(rng: np.random.Generator) -> tuple[str, Any, Any, dict[str, Any]]:
     )
 
 
-def moments(m: tween.Morph, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
-    """Times to check, a third of them beside flips and ends, a third where sums are largest."""
+def examined(m: tween.Morph, rng: np.random.Generator, count: int) -> tuple[Checked, NDArray[np.int64]]:
+    """Check a morph at many times, each once: a third of them beside flips and ends, a third where sums are largest.
+
+    Parameters
+    ----------
+    m : Morph
+    rng : numpy.random.Generator
+    count : int
+        Times at least.
+
+    Returns
+    -------
+    Checked
+        What the kernels of `tween.verify` find of every frame, all frames of a round at once.
+    lists : ndarray of int, shape (stages, n-2, 3)
+        The triangles in force, by stage.
+    """
     marks = np.array([0.0, 1.0, *(e.time for e in m.events)])
+    lists = np.zeros((m.stage_at(np.ones(1))[0] + 1, *m.source.triangles.shape), np.int64)
+
+    def found(times: NDArray[np.float64]) -> Checked:
+        stage = m.stage_at(times)
+        for number, first in zip(*np.unique(stage, return_index=True), strict=True):
+            lists[number] = m.triangles_at(times[first])
+        return check(times, stage, m.at(times), lists)
+
     some = rng.choice(marks, min(len(marks), 10), replace=False)
     beside = (np.concatenate([some, [0.0, 1.0]])[:, None] + np.concatenate([-ENDS, [0.0], ENDS])).ravel()
-    times = np.clip(np.concatenate([np.linspace(0, 1, 3 * count // 10), beside]), 0.0, 1.0)
-    radius = 3 / count
-    while len(times) < count:
-        t = np.unique(times)
-        worst = t[np.argsort(largest_sums(m, t))[-12:]]
-        times = np.concatenate([times, np.clip((worst[:, None] + radius * rng.uniform(-1, 1, (12, 8))).ravel(), 0, 1)])
+    times = np.unique(np.clip(np.concatenate([np.linspace(0, 1, 3 * count // 10), beside]), 0.0, 1.0))
+    checked = found(times)
+    radius, enough = 3 / count, max(count, len(checked.t) + count // 3)
+    while len(checked.t) < enough:
+        worst = checked.t[np.argsort(checked.sums.max(axis=1))[-12:]]
+        times = np.clip((worst[:, None] + radius * rng.uniform(-1, 1, (12, 8))).ravel(), 0, 1)
+        checked = checked.merged(found(times))
         radius *= 0.3
-    return np.unique(times)
-
-
-def largest_sums(m: tween.Morph, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    shapes, triangles = m.at(t), np.stack([m.triangles_at(x) for x in t])
-    z = np.take_along_axis(shapes @ np.array([1, 1j]), triangles.reshape(len(t), -1), axis=1).reshape(triangles.shape)
-    sums = np.zeros(shapes.shape[:2])
-    for s in range(3):
-        a, b, c = (z[..., (s + k) % 3] for k in range(3))
-        angles = np.angle((c - a) / (b - a))
-        for f in range(len(t)):
-            np.add.at(sums[f], triangles[f, :, s], angles[f])
-    return sums.max(axis=1)
+    return checked, lists
 
 
 def tried(seed: int, times: int = TIMES) -> dict[str, Any]:
@@ -144,17 +157,15 @@ def tried(seed: int, times: int = TIMES) -> dict[str, Any]:
         return found | {"result": "other", "words": str(error)}
     except Exception as error:  # an error from inside is what is looked for
         return found | {"result": "crash", "words": f"{type(error).__name__}: {error}"}
-    t = moments(m, rng, times)
-    shapes, broken = m.at(t), []
-    for part in np.array_split(np.arange(len(t)), 1 + len(t) // 500):
-        checked = tween.verify(shapes[part], np.stack([m.triangles_at(x) for x in t[part]]), t[part])
-        broken += [] if checked.valid else [str(checked.first_failure)]
+    checked, lists = examined(m, rng, times)
+    broken = np.flatnonzero(checked.faults[:, 0])
     width = max(float(np.ptp(T.points, axis=0).max()) for T in (m.source, m.target))
     marks = np.array([0.0, 1.0, *(e.time for e in m.events)])
     sides = m.at(np.clip((marks[:, None] + [-1e-7, 0.0, 1e-7]).ravel(), 0, 1)).reshape(len(marks), 3, -1, 2)
     jump = float((sides.max(axis=1) - sides.min(axis=1)).max()) / width
-    words = broken[0] if broken else ""
-    return found | {"result": "INVALID" if broken else "valid", "words": words, "flips": len(m.events), "jump": jump}
+    words = f"t = {checked.t[broken[0]]:.17g}: {fault_words(checked, lists, broken[0])[0]}" if len(broken) else ""
+    result = "INVALID" if len(broken) else "valid"
+    return found | {"result": result, "words": words, "flips": len(m.events), "times": len(checked.t), "jump": jump}
 
 
 def main() -> None:

@@ -26,6 +26,7 @@ from tween.morphing.alignment import renumbered
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.incompatible.flow import Event
 from tween.morphing.morph import Morph
+from tween.morphing.plan import Plan
 
 _Floats = NDArray[np.float64]
 _Complexes = NDArray[np.complex128]
@@ -66,6 +67,10 @@ class _Still:
     def first_doubt(self, placing: Placing) -> Doubt:
         """Nothing is proved of a baseline."""
         return Doubt(0.0, 1.0, "triangle", (), 0.0, 0.0)
+
+    def plans(self) -> list[Plan]:
+        """It is made of no legs."""
+        return []
 
     def at(self, t: _Floats) -> _Floats:
         z = self.points(t)

@@ -1,7 +1,7 @@
 """Every study once: its question, what it writes, which figures show it, and how long it takes.
 
-`reproduce` runs the steps in this order; the report, the ledger of claims, the documentation and the tests look up here
-what a step is called, and which one writes a file.
+`reproduce` begins the steps in this order, but none before those are done whose results it reads; the report, the
+ledger of claims, the documentation and the tests look up here what a step is called, and which one writes a file.
 """
 
 from typing import NamedTuple
@@ -15,6 +15,7 @@ class Step(NamedTuple):
     results: tuple[str, ...] = ()  # in results/, the one that sums it up first
     figures: tuple[str, ...] = ()  # in results/figures/, those about this step alone
     seconds: int = 0  # roughly, on two cores that do nothing else
+    after: tuple[str, ...] = ()  # modules of the steps whose results it reads
 
     @property
     def name(self) -> str:
@@ -57,6 +58,7 @@ STUDIES = (
         "Table 1: in the paper's layout",
         results=("table_1.csv", "table_1.md", "table_1.tex"),
         seconds=5,
+        after=("studies.to_disk", "studies.curve_to_curve"),
     ),
     Step("studies.grid_sample", "Table 1: a sample of the grid again", seconds=30),
     Step(
@@ -124,15 +126,30 @@ GRID = Step(
     results=("grid_disk.csv", "grid_pairs.csv", "grid_shapes.csv"),
     seconds=400,
 )
+_STUDIED = tuple(step.module for step in STUDIES)
+_MADE = ("claims", "figures", "figures.animations")
 # What is made of the studies' results.
 STEPS = (
     *STUDIES,
-    Step("claims", "The verdict on every claim", results=("claims.csv",), figures=("verdicts",), seconds=30),
-    Step("figures", "Figures", results=("figures/captions.json", "figures/drawn.json"), seconds=60),
+    Step(
+        "claims",
+        "The verdict on every claim",
+        results=("claims.csv",),
+        figures=("verdicts",),
+        seconds=30,
+        after=_STUDIED,
+    ),
+    Step(
+        "figures",
+        "Figures",
+        results=("figures/captions.json", "figures/drawn.json"),
+        seconds=60,
+        after=(*_STUDIED, "claims"),
+    ),
     Step("figures.animations", "Animations", seconds=30),
-    Step("notebooks", "Notebooks", seconds=60),
-    Step("article", "The article", results=("article.pdf",), seconds=5),
-    Step("report", "The report", results=("report.html",), seconds=10),
+    Step("notebooks", "Notebooks", seconds=60, after=_MADE),
+    Step("article", "The article", results=("article.pdf",), seconds=5, after=_MADE),
+    Step("report", "The report", results=("report.html",), seconds=10, after=(*_MADE, "notebooks", "article")),
 )
 # Times that it measures are no results that could be found again, so `reproduce` leaves it out.
 SCALING = Step("benchmarks.scaling", "How the time grows", results=("scaling.csv",), figures=("scaling",), seconds=60)

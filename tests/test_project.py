@@ -19,7 +19,10 @@ WITHOUT_MODULE = {
 }
 # Modules that serve another one, and are tested with it.
 TESTED_WITH = {
-    "app/command_line/options.py": "app/command_line/test_interface.py",
+    "measuring/played.py": "measuring/test_certificate.py",
+    "measuring/refinement.py": "measuring/test_certificate.py",
+    "morphing/keyframes/legs.py": "morphing/test_sequence.py",
+    "morphing/plan.py": "measuring/test_promise.py",
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",
 }

@@ -39,6 +39,7 @@ from tween.choices import PATHS, Path, Placement
 from tween.geometry.predicates import orient2d, turn
 from tween.morphing.alignment import align
 from tween.morphing.incompatible.flip_sequence import flip_sequence
+from tween.morphing.matching.simplify import simplify
 from tween.morphing.strategy import morph_compatible
 from tween.triangulating.costs import edge_length
 
@@ -60,6 +61,12 @@ def spiral_strip(n: int, turns: float = 2.0) -> Curve:
     angle = np.linspace(0, 2 * np.pi * turns, n // 2)
     radius = 1 + 0.12 * angle
     return gallery.ribbon(np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1), 0.6)
+
+
+def wave_strip(n: int) -> Curve:
+    """A dense strip along two waves."""
+    x = np.linspace(0, 4 * np.pi, n // 2)
+    return gallery.ribbon(np.stack([x, 2 * np.sin(x)], axis=1), 0.5)
 
 
 @njit(cache=True)
@@ -168,12 +175,19 @@ def matches() -> list[Timing]:
         Timing("match, 24 vertices and midpoints, exact", lambda: match(lobes, spiral, candidates=1)),
         Timing("match, n = 100", lambda: match(first, second), "matched morph, 100 frames", matched, repeats=3),
         Timing(f"match a random disk, a spiral strip, n = {len(large)}", lambda: match(large, strip), repeats=1),
+        *(
+            Timing(
+                f"match a spiral strip, a wave, n = {n:,}", partial(match, spiral_strip(n), wave_strip(n)), repeats=1
+            )
+            for n in (1000, 10_000)
+        ),
     ]
 
 
 def _coarse(curve: Curve, n: int) -> NDArray[np.float64]:
-    """So many of a curve's vertices, evenly by number."""
-    return curve.points[np.round(np.arange(n) * len(curve) / n).astype(int)]
+    """A curve with so many of its vertices, that still bounds a disk."""
+    T = triangulate(curve)
+    return T.points[simplify(T, [n], np.zeros(len(T), dtype=np.bool_))[0].kept]
 
 
 def guarantees() -> list[Timing]:
@@ -263,9 +277,15 @@ def _readable(t: float) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m experiments.benchmarks.tasks", description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="leave out the whole of Table 1")
+    groups = (predicates, tables, morphs, pairs, matches, guarantees, optima, whole_table)
+    names = [group.__name__ for group in groups]
+    parser.add_argument("groups", nargs="*", metavar="group", help=f"some of {', '.join(names)}; all without")
     arguments = parser.parse_args()
-    groups = (predicates, tables, morphs, pairs, matches, guarantees, optima)
-    for group in (*groups, *(() if arguments.quick else (whole_table,))):
+    unknown = set(arguments.groups) - set(names)
+    if unknown:
+        parser.error(f"{', '.join(sorted(unknown))}: expected some of {', '.join(names)}")
+    wanted = set(arguments.groups or names) - ({"whole_table"} if arguments.quick else set())
+    for group in (group for group in groups if group.__name__ in wanted):
         for timing in group():
             report(timing)
 

@@ -17,8 +17,11 @@ from experiments.claims.rules import CONDITION, Cases, Rule, intervals, p_values
 from experiments.store import RESULTS
 
 COLUMNS = [
-    *("id", "section", "claim", "rule", "verdict", "number", "interval", "p", "condition", "evidence", "figure"),
+    *("id", "section", "kind", "claim", "rule", "as_printed", "verdict"),
+    *("number", "interval", "p", "condition", "evidence", "figure"),
 ]
+
+CLAIM, QUESTION = "claim", "open question"  # the paper says it, or asks for it and the answer is ours
 
 
 class Numbers:
@@ -51,7 +54,7 @@ class Finding(NamedTuple):
 
 
 class Claim(NamedTuple):
-    """A row of the ledger, and the function that finds its number."""
+    """A row of the ledger, and the function that finds its number; of an open question, whether our answer holds."""
 
     section: str
     text: str
@@ -61,6 +64,7 @@ class Claim(NamedTuple):
     evidence: tuple[str, ...]  # files, or tests as path::name
     figure: str
     find: Callable[[Numbers], Finding]
+    kind: str = CLAIM
 
 
 LEDGER: dict[str, Claim] = {}
@@ -75,12 +79,13 @@ def claim(
     *,
     figure: str = "",
     condition: str = "",
+    kind: str = CLAIM,
 ) -> Callable[[Callable[[Numbers], Finding]], Callable[[Numbers], Finding]]:
     """Enter a claim into the ledger; its id is the name of the function."""
 
     def enter(find: Callable[[Numbers], Finding]) -> Callable[[Numbers], Finding]:
         name = find.__name__.replace("_", "-")
-        LEDGER[name] = Claim(section, text, rule, cases, condition, evidence, figure, find)
+        LEDGER[name] = Claim(section, text, rule, cases, condition, evidence, figure, find, kind)
         return find
 
     return enter
@@ -95,7 +100,8 @@ def row(name: str, c: Claim, x: Numbers) -> list[str]:
     condition = c.condition if judged == CONDITION else ""
     parts = (*found.printed, *(part._replace(label=f"[{part.label or 'condition'}]") for part in found.under))
     told = [found.number, intervals(parts), p_values(parts)]
-    return [name, c.section, c.text, f"{c.rule}: {c.cases}", judged, *told, condition, "; ".join(c.evidence), c.figure]
+    stated = [name, c.section, c.kind, c.text, f"{c.rule}: {c.cases}"]
+    return [*stated, verdict(found.printed), judged, *told, condition, "; ".join(c.evidence), c.figure]
 
 
 def ledger(x: Numbers) -> pd.DataFrame:

@@ -55,7 +55,7 @@ def every_frame_bounds_a_disk(x: Numbers) -> Finding:
         f"{fan.frames_failed} of 61 along slide, an L and three lobes, moved straight over a triangulation common to "
         f"both, {direct.frames_failed}. Where it fails {'no' if inside else 'some'} triangle turns over: the disk's "
         f"inside stays immersed, and angles at one boundary vertex add up to more than 2 pi. With angle budgets "
-        f"{(safe.morphs - safe.valid).sum() or 'none'} of {safe.morphs.sum():,} morphs fail",
+        f"{(safe.morphs - safe.valid).sum() or 'none'} of {safe.morphs.sum():,} morphs along these two paths fails",
         (every(good, cases),),
     )
 
@@ -74,8 +74,8 @@ def twists_without_the_interior(x: Numbers) -> Finding:
     cases = len(x.checks["boundary"])
     return Finding(
         f"straight lines leave the immersed disks in {broken.straight} of {cases} morphs, edge lengths and angles in "
-        f"{broken.edge_angle}, triangles of the interior (slide) in {broken.slide}; two algorithms are no proof about "
-        f"all",
+        f"{broken.edge_angle}, triangles of the interior (slide) in {broken.slide}; that two algorithms fail "
+        f"does not prove that every other one does",
         (some(broken.straight, cases, "straight"), some(broken.edge_angle, cases, "edges and angles")),
     )
 

@@ -250,10 +250,11 @@ def slide_shrinks_less(x: Numbers) -> Finding:
     shortest, longest = wide["shortest"], wide["longest"]
     less = np.sign(shortest.slide - shortest.linear)
     return Finding(
-        f"less on {(less > 0).sum()} of {len(wide)} pairs, more on {(less < 0).sum()}; the shortest edge is left "
-        f"{shortest.slide.median():.2g} of the shorter of its ends along slide and {shortest.linear.median():.2g} "
-        f"along linear, the longest grows {longest.slide.median():.2g}-fold and {longest.linear.median():.2g}-fold, "
-        f"in the median; placed steadily {wide['longest_steady'].slide.median():.2g}-fold and "
+        f"less on {(less > 0).sum()} of {len(wide)} pairs, more on {(less < 0).sum()}; the edge that shrinks most "
+        f"shrinks to {shortest.slide.median():.2g} of the smaller of its two final lengths along slide and to "
+        f"{shortest.linear.median():.2g} along linear, the one that grows most grows "
+        f"{longest.slide.median():.2g}-fold and {longest.linear.median():.2g}-fold, in the median; "
+        f"placed steadily {wide['longest_steady'].slide.median():.2g}-fold and "
         f"{wide['longest_steady'].linear.median():.2g}-fold",
         (more_pairs(shortest.slide - shortest.linear),),
     )

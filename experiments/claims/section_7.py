@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from experiments.claims.ledger import Finding, Numbers, claim
+from experiments.claims.ledger import QUESTION, Finding, Numbers, claim
 from experiments.claims.rules import every, more, more_pairs, some
 from experiments.claims.shared import PARAMETERS
 from experiments.claims.table_1 import against_median
@@ -135,10 +135,11 @@ def late_flips(S: Triangulation, T: Triangulation, order: Order) -> float:
     '"We need a better method to align multiple features, and retriangulate the curve based on this alignment. We '
     'believe that this method can produce better morphing results."',
     "more",
-    "an open question, and its answer here; a pair of curves, matched and triangulated together; AR (1e-4), Var and "
+    "our answer: a pair of curves, matched and triangulated together; AR (1e-4), Var and "
     "the vertices' paths are smaller than as printed",
     ("experiments/studies/matching.py", "experiments/studies/matching_sample.py"),
     figure="matching_study.png",
+    kind=QUESTION,
 )
 def better_alignment(x: Numbers) -> Finding:
     rows = x.table("matching")
@@ -159,13 +160,14 @@ def better_alignment(x: Numbers) -> Finding:
     '"[M]ore investigation is required for ordering of given set of edge flips (not necessarily minimum) such that '
     'all the edge flips can be completed as early as possible in the morphing process."',
     "more",
-    "an open question, and its answer here; a pair of curves along slide; flips that wait only for those they depend "
+    "our answer: a pair of curves along slide; flips that wait only for those they depend "
     "on are done earlier than in the paper's sequence, by more than 0.01 of the way to the disk",
     (
         "experiments/studies/flip_order.py",
         "tests/experiments/studies/test_flip_order.py::test_no_order_is_earlier_than_the_bound",
     ),
     condition="any flip that removes crossings is made as soon as it can be; an order of the given ones hardly helps",
+    kind=QUESTION,
 )
 def flips_can_be_early(x: Numbers) -> Finding:
     rows, angle = x.table("flip_order"), x.table("flip_order_summary").query("path == 'angle'").set_index("way")
@@ -175,11 +177,12 @@ def flips_can_be_early(x: Numbers) -> Finding:
     early = {way: g.where(g.abs() > FLIP_ORDER["earlier"], 0.0) for way, g in gain.items()}
     median = slide[["sequential", "partial", "divided", "greedy"]].median()
     return Finding(
-        f"how far a morph has to go to the disk, medians of {len(slide)} pairs along slide: "
-        f"{median['sequential']:.2f} in the paper's sequence, {median['partial']:.2f} where independent flips need "
-        f"not wait, {median['divided']:.2f} divided between both flows, {median['greedy']:.2f} greedy, earlier on "
-        f"{(early['greedy'] > 0).sum()}; along angle greedy is at a lower bound of all orders in "
-        f"{int(angle.flows_at_bound['greedy'])} of {2 * len(slide)} flows",
+        f"the flips are finished after {median['sequential']:.2f} of the way to the disk (median of {len(slide)} "
+        f"pairs, slide) in the paper's sequence, after {median['partial']:.2f} where a flip waits only for those it "
+        f"depends on, after {median['divided']:.2f} where both curves flip a part. If any flip that removes a crossing "
+        f"is made as soon as the shape allows, {median['greedy']:.2f} suffices; that is earlier on "
+        f"{(early['greedy'] > 0).sum()} of {len(slide)} pairs. Along angle it is as early as any order can be for "
+        f"{int(angle.flows_at_bound['greedy'])} of {2 * len(slide)} curves on their way to the disk",
         (more_pairs(early["partial"]),),
         (more_pairs(early["greedy"]),),
     )
@@ -189,10 +192,11 @@ def flips_can_be_early(x: Numbers) -> Finding:
     "7",
     '"Deeper investigation is required to find the best possible starting triangle for the best morphing results."',
     "more",
-    "an open question, and its answer here; a curve to its disk, placed steadily; the central root is better than the "
+    "our answer: a curve to its disk, placed steadily; the central root is better than the "
     "median root by AR (1e-4) and by Var, along slide and along linear",
     ("experiments/studies/root_steady.py",),
     figure="root_choice.png",
+    kind=QUESTION,
 )
 def central_root_is_good(x: Numbers) -> Finding:
     table = x.table("root_steady_summary").set_index(["path", "measure"])

@@ -6,6 +6,7 @@ from typing import Any
 
 from joblib import Parallel, delayed
 
+from experiments.figures import article
 from experiments.figures.paper import compatible, gallery, immersions, incompatible
 from experiments.figures.registry import DRAWINGS, drawn, save
 from experiments.figures.studies import claims, grid, guarantee, matching, quality, roots, scaling, table_1
@@ -13,6 +14,7 @@ from experiments.store import FIGURES, write_json
 
 __all__ = [
     "DRAWINGS",
+    "article",
     "claims",
     "compatible",
     "drawn",

@@ -23,11 +23,18 @@ def facts(results: Path) -> dict[str, Any]:
         "var": against_median(table, "Var", "slide"),
         "columns": factors(pd.read_csv(results / "table_1_curve_to_curve.csv")),
         "pairs": len(pairs),
+        "added": added(results / "grid_shapes.csv"),
         "common": int((pairs.common != "none").sum()),
         "late": int((pairs[["u", "v"]].min(axis=1) > 0.95).sum()),
         "guarantee": guaranteed(results / "guarantee_summary.csv"),
         "printed_bad": printed_bad(results / "matching.csv"),
     }
+
+
+def added(path: Path) -> int:
+    """How many curves, from fat to thin, were added for Table 1."""
+    kinds = pd.read_csv(path).drop_duplicates("curve").kind
+    return int((~kinds.isin(["constructed", "letter"])).sum())
 
 
 def against_median(table: pd.DataFrame, measure: str, path: str) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from markupsafe import Markup, escape
 from PIL import Image
 
 from experiments.catalogue import STUDIES, writer
-from experiments.claims.rules import RULES, TOGETHER
+from experiments.claims.rules import ORIGIN, RULES, TOGETHER
 from experiments.figures.everything import DRAWINGS
 from experiments.report.facts import facts
 from experiments.report.made import machine, parameters, versions
@@ -35,6 +35,7 @@ NEEDED = (
     "table_1_curve_to_curve.csv",
     "table_1.csv",
     "table_1.md",
+    "grid_shapes.csv",
     "pairs.csv",
     "pivots.csv",
     "flip_distance.csv",
@@ -145,7 +146,8 @@ def page(results: Path = RESULTS, times: Path = TIMES) -> str:
             own_figures=own_figures,
             rules=RULES,
             together=TOGETHER,
-            references=REFERENCES,
+            origin=ORIGIN,
+            references=list(REFERENCES.values()),
             notebooks=notebooks(),
             parameters=parameters(),
             versions=versions(),

@@ -20,8 +20,10 @@ from numpy.typing import NDArray
 from experiments.baselines import BASELINES
 from experiments.measures import edge_factors, swelling
 from experiments.store import RESULTS, compute, rng_for, write_csv
-from tween import Morph, area_matrix, area_rank, certify, frame_variance, gallery, morph, remesh, triangulate, verify
+from tween import Morph, area_matrix, area_rank, certify, frame_variance, gallery, remesh, triangulate, verify
 from tween.choices import PATHS
+from tween.morphing.motions import Choices, between
+from tween.morphing.strategy import without_match
 from tween.triangulating.costs import conformal_distortion
 
 PARAMETERS: dict[str, Any] = {
@@ -87,9 +89,10 @@ def _distinct(rng: np.random.Generator) -> list[tuple[int, int]]:
 
 def ways(source: Any, target: Any) -> Iterator[tuple[str, bool, Morph]]:
     """Every path, plain and guaranteed, and the baselines on the same correspondence."""
+    alignment, exchanged = without_match("paper", source, target)
     for path in PATHS:
         for guarantee in (False, True):
-            m = morph(source, target, strategy="paper", placement="root", path=path, guarantee=guarantee)
+            m = between(alignment, Choices(path, guarantee, "root", "disk-center", exchanged=exchanged))
             yield path, guarantee, m
     for name, make in BASELINES.items():
         yield name, False, make(m.source, m.target)
@@ -99,7 +102,8 @@ def measure(m: Morph) -> dict[str, Any]:
     """Frames that bound a disk, and what the morph is like."""
     times = np.linspace(0, 1, PARAMETERS["frames"])
     frames = m.at(times)
-    triangles = np.array([m.triangles_at(t) for t in times])
+    _, first, stage = np.unique(m.stage_at(times), return_index=True, return_inverse=True)
+    triangles = np.array([m.triangles_at(t) for t in times[first]])[stage]
     certificate = verify(frames, triangles, times)
     A = area_matrix(m, PARAMETERS["frames"])
     longest, shortest = edge_factors(frames)

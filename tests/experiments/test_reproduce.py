@@ -1,9 +1,8 @@
-"""Everything in order: each step runs once, its time is told, and the first that fails stops the rest."""
+"""Each step runs once, after those that it reads, its time is told, and the first that fails stops the rest."""
 
 import json
-import subprocess
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 
@@ -11,31 +10,70 @@ from experiments import reproduce
 from experiments.catalogue import STEPS
 
 
-@pytest.fixture
-def ran(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """Return the modules that would have been run."""
-    modules: list[str] = []
+class Process:
+    """Instead of a step: it ends when it has been asked twice."""
 
-    def run(command: list[str], **_: Any) -> subprocess.CompletedProcess[bytes]:
-        modules.append(command[-1])
-        return subprocess.CompletedProcess(command, returncode=0)
+    running: ClassVar[set[str]] = set()
+    finished: ClassVar[list[str]] = []
+    most = 0
+    fails = ""
 
-    monkeypatch.setattr(reproduce.subprocess, "run", run)
+    def __init__(self, command: list[str], **_: Any) -> None:
+        self.module = command[-1].removeprefix("experiments.")
+        after = next(step.after for step in STEPS if step.module == self.module)
+        assert set(after) <= set(Process.finished), f"{self.module} reads what is not there yet"
+        self.asked, self.returncode = 0, 3 * (self.module == Process.fails)
+        Process.running.add(self.module)
+        Process.most = max(Process.most, len(Process.running))
+
+    def poll(self) -> int | None:
+        self.asked += 1
+        if self.asked <= 2:
+            return None
+        return self.wait()
+
+    def wait(self) -> int:
+        Process.running.remove(self.module)
+        Process.finished.append(self.module)
+        return self.returncode
+
+    def terminate(self) -> None:
+        Process.running.remove(self.module)
+
+
+@pytest.fixture(autouse=True)
+def no_step_really_runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    Process.running, Process.finished, Process.most, Process.fails = set(), [], 0, ""
+    monkeypatch.setattr(reproduce.subprocess, "Popen", Process)
+    monkeypatch.setattr(reproduce.time, "sleep", lambda _: None)
     monkeypatch.setattr(reproduce, "TIMES", tmp_path / "times.json")
-    return modules
 
 
-def test_every_step_runs_once_in_order_and_its_time_is_kept(ran: list[str]) -> None:
+def test_every_step_runs_once_two_side_by_side_and_its_time_is_kept() -> None:
     reproduce.main()
-    assert ran == [f"experiments.{step.module}" for step in STEPS]
+    assert sorted(Process.finished) == sorted(step.module for step in STEPS)
+    assert Process.most == 2
     assert [row["step"] for row in json.loads(reproduce.TIMES.read_text())] == [step.title for step in STEPS]
 
 
-def test_a_step_that_fails_is_named_and_ends_everything(
-    ran: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    failed = subprocess.CompletedProcess([], returncode=3)
-    monkeypatch.setattr(reproduce.subprocess, "run", lambda *_, **__: failed)
+def test_every_step_is_after_steps_that_exist_and_stand_before_it() -> None:
+    for i, step in enumerate(STEPS):
+        assert set(step.after) <= {earlier.module for earlier in STEPS[:i]}, step.module
+
+
+def test_a_step_that_fails_is_named_and_ends_everything(capsys: pytest.CaptureFixture[str]) -> None:
+    Process.fails = "studies.to_disk"
     with pytest.raises(SystemExit, match="3"):
         reproduce.main()
     assert "reproduce: studies.to_disk failed" in capsys.readouterr().err
+    assert len(Process.finished) == 2, "the other one that ran came to its end, and no other was begun"
+
+
+def test_an_interrupt_ends_what_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_: float) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(reproduce.time, "sleep", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        reproduce.main()
+    assert (Process.running, Process.finished) == (set(), [])

@@ -16,7 +16,16 @@ from strategies import disks, random_polygons
 from tween import Triangulation, paper_morph, remesh, triangulate
 from tween.errors import TriangulationError
 from tween.gallery import curve, names, pair, random_disk
-from tween.measuring import certificate, frame_check
+from tween.measuring import (
+    certificate,
+    frame_check,
+    intervals,
+    played,
+    promise,
+    refinement,
+    slide_path,
+    straight_motion,
+)
 from tween.measuring.certificate import certify, verify
 
 TAU = 2 * np.pi
@@ -254,12 +263,14 @@ def test_neither_the_first_vertex_nor_the_scale_matters(T: Triangulation, shift:
 
 
 def test_only_the_predicates_are_shared_with_the_rest() -> None:
-    lines = [line for module in (certificate, frame_check) for line in Path(module.__file__).read_text().splitlines()]
-    assert [line for line in lines if line.startswith(("from tween", "import tween"))] == [
-        "from tween.measuring.frame_check import Checked, check, fault_words",
-        "from tween.measuring.straight_motion import Breach, breaches",
-        "from tween.geometry.predicates import EXACT_RANGE, turn",
-    ]
+    modules = certificate, frame_check, straight_motion, played, refinement, promise, slide_path, intervals
+    lines = [line for module in modules for line in Path(module.__file__).read_text().splitlines()]
+    imports = {line.strip() for line in lines if line.strip().startswith(("from tween", "import tween"))}
+    assert {line for line in imports if not line.startswith("from tween.measuring.")} == {
+        "from tween.geometry.predicates import EXACT_RANGE, turn"
+    }
+    own = {f"tween.measuring.{module.__name__.split('.')[-1]}" for module in modules}
+    assert {line.split()[1] for line in imports if line.startswith("from tween.measuring.")} <= own
 
 
 @pytest.mark.parametrize("path", ["linear", "slide"])
@@ -411,7 +422,7 @@ def test_what_stays_in_doubt_at_the_smallest_step_is_said() -> None:
 
 
 def test_refinement_stops_at_a_limit_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(certificate, "_MOST_ANGLES", 130)
+    monkeypatch.setattr(refinement, "_MOST_ANGLES", 130)
     cert = certify(opening(lambda t: TAU - 1e-9 - max(0.3 - t, 2 * (t - 0.3))), frames=10)
     assert cert.valid
     assert cert.frames_checked <= 13

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tween import TweenError, gallery, morph, paper_morph, triangulate, verify
+from tween import TweenError, certify, gallery, morph, paper_morph, triangulate, verify
 from tween.measuring.playback import playback
 
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
@@ -104,6 +104,37 @@ def test_a_morph_that_is_not_valid_cannot_be_played_and_time_and_rule_are_named(
 def test_a_jump_cannot_be_followed() -> None:
     with pytest.raises(TweenError, match=r"at t = 0\.3\d* the morph is too fast to be followed within 0.001"):
         playback(Scripted(lambda t: SQUARE + (t > 0.3)), tolerance=1e-3)
+
+
+@pytest.mark.parametrize("size", [1e5, 1e7])
+@pytest.mark.parametrize("turned", [False, True])
+def test_ends_of_very_different_sizes_are_followed_as_close_to_the_small_one_as_shapes_change(size, turned) -> None:
+    source, target = (c.points for c in gallery.pair("arrow_to_horseshoe"))
+    m = morph(*((target, source * size) if turned else (source * size, target)))
+    assert certify(m).valid
+    shown = m.playback(2e-3)
+    assert verify(shown.frames, shown.triangles, shown.times, between="linear").valid
+    assert len(shown) < 150
+    # most frames lie where almost no time is left: there the small shape changes
+    gaps = shown.times if turned else 1.0 - shown.times
+    assert np.count_nonzero((gaps > 0) & (gaps < 1e-6)) > 35
+    assert shown.deviation <= 2e-3
+
+
+def test_where_doubles_have_no_time_for_what_happens_playing_back_is_refused_with_the_time() -> None:
+    source, target = (c.points for c in gallery.pair("arrow_to_horseshoe"))
+    m = morph(source * 1e9, target)
+    with pytest.raises(TweenError, match=r"from t = 1 - 1.11\d+e-16 on: .*loses its area.* no time in between"):
+        m.playback()
+    failure = certify(m).first_failure
+    assert failure is not None and failure.t == 1.0
+    assert len(morph(source, target * 1e9).playback()) < 250  # doubles are denser near 0
+
+
+def test_flips_at_neighbouring_doubles_leave_no_time_between_them() -> None:
+    m = Scripted(lambda t: turned(np.pi / 4 * t))
+    m.events = [type("Event", (), {"time": t}) for t in (0.5, np.nextafter(0.5, 1))]
+    assert (np.diff(playback(m).times) > 0).all()
 
 
 def test_frames_can_be_limited() -> None:

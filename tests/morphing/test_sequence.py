@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tween import (
+    Curve,
     CurveError,
     Morph,
     NotSelfOverlappingError,
@@ -18,6 +19,7 @@ from tween import (
     decompose,
     frame_variance,
     gallery,
+    io,
     remesh,
     sequence,
     verify,
@@ -86,7 +88,7 @@ def test_all_instants_bound_a_disk(which: str, request: pytest.FixtureRequest) -
     s: Sequence = request.getfixturevalue(which)
     certificate = certify(s)
     assert certificate, certificate
-    assert certificate.scope == "playback"
+    assert certificate.scope == "morph"
     played = s.playback(tolerance=5e-3)
     assert played.certificate
     assert "proved in doubles" in s.proof
@@ -148,10 +150,46 @@ def test_two_shapes_make_a_loop_and_two_equal_ones_do_too() -> None:
     np.testing.assert_allclose(same.frames(5), np.broadcast_to(same.source.points, (5, 6, 2)), atol=1e-12)
 
 
+@pytest.mark.parametrize("by", ["area", "box", "none"])
+@pytest.mark.parametrize("scale", [0.1, 0.5, 7.3])
+@pytest.mark.parametrize("place", range(4))
+def test_neighbours_that_are_scaled_copies_make_a_loop_however_they_are_fitted(
+    by: Any, scale: float, place: int
+) -> None:
+    shapes = [np.array(ELL, dtype=float), scale * np.array(ELL) + [10.3, -2.7], np.array(BAR), np.array(TRIANGLE)]
+    shapes = shapes[place:] + shapes[:place]
+    fitted = [Curve(shapes[0]), *(io.fit(shape, shapes[0], by) for shape in shapes[1:])]
+    # to rounding, fitted neighbours are the same shape; where they are the first and the last they may be equal
+    s = sequence(fitted, loop=True)
+    assert len(s.keyframes) in ((3, 4) if place == 1 else (4,))
+    assert certify(s, frames=25)
+    assert s.frames(9)[0].tobytes() == s.frames(9)[-1].tobytes()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["ell", "arrow", "horseshoe"])
+def test_copies_of_gallery_curves_are_neighbours_too(name: str) -> None:
+    first, others = gallery.curve(name), [gallery.curve(other) for other in ("ess", "three_lobes")]
+    fitted = [io.fit(shape, first, "area") for shape in (Curve(0.1 * first.points), *others)]
+    s = sequence([first, *fitted], loop=True)
+    assert len(s.keyframes) == 4
+    assert certify(s)
+
+
 def test_the_first_keyframe_may_stand_at_the_end_of_a_loop_again() -> None:
     s, again = sequence([SQUARE, ELL, BAR], loop=True), sequence([SQUARE, ELL, BAR, SQUARE], loop=True)
     np.testing.assert_array_equal(s.frames(20), again.frames(20))
     assert len(sequence([SQUARE, ELL, BAR, SQUARE]).keyframes) == 4
+
+
+def test_a_last_keyframe_that_has_come_to_equal_the_first_is_one_of_its_own_where_it_is_counted() -> None:
+    shapes = [SQUARE, ELL, BAR, io.fit(np.array(SQUARE) / 2, SQUARE, "area").points]
+    np.testing.assert_array_equal(shapes[0], shapes[-1])
+    assert len(sequence(shapes, loop=True).keyframes) == 3
+    for counted in ({"times": [0, 1, 2, 3, 4]}, {"landmarks": [(0, 0, 0, 0)]}):
+        s = sequence(shapes, loop=True, **counted)
+        assert len(s.keyframes) == 4
+        assert certify(s, frames=25)
 
 
 def test_two_keyframes_are_a_morph_with_an_ease_of_its_own() -> None:

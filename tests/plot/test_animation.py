@@ -141,6 +141,19 @@ def test_a_small_gif_is_below_half_a_megabyte_and_as_large_as_that_allows(tmp_pa
         assert save_animation(tmp_path / "b.gif", m, frames=80, size=larger).stat().st_size > 450_000
 
 
+@pytest.mark.parametrize(
+    ("name", "help"), [("a.svg", "style 'fill' or 'outline' makes"), ("a.gif", "fewer frames, or")]
+)
+def test_what_would_be_too_large_at_the_smallest_size_is_refused_with_what_would_help(
+    name: str, help: str, tmp_path: Path, m: Morph, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(animation, "_SMALL", 1000)
+    monkeypatch.setattr(animation, "_SMALL_SIDES", (100, 80))
+    with pytest.raises(FileError, match=rf"{name}: would have \d+ bytes at 80 pixels, expected less than 1000; {help}"):
+        save_animation(tmp_path / name, m, size="small")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_size_in_other_words_is_refused(tmp_path: Path, m: Morph) -> None:
     with pytest.raises(ValueError, match="size is 'tiny', expected a number of pixels, two of them, or 'small'"):
         save_animation(tmp_path / "a.gif", m, size="tiny")  # type: ignore[arg-type]

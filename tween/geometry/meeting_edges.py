@@ -22,6 +22,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.geometry.growing import longer
 from tween.geometry.predicates import turn
 
 _SMALL = 200  # edges up to which comparing all pairs is as quick as the tree, and much less to compile
@@ -47,7 +48,8 @@ def meeting_edges(points: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArra
     """
     n = len(points)
     if n <= _SMALL:
-        found, size = _compare_all(points, np.empty(n, dtype=np.int64), 0, np.arange(n))
+        lowest_first = np.argsort(np.minimum(points[:, 1], np.roll(points[:, 1], -1)), kind="stable")
+        found, size = _compare_all(points, np.empty(n, dtype=np.int64), 0, lowest_first)
         codes = np.unique(found[:size])
     else:
         codes = np.unique(_by_slabs(points))
@@ -85,7 +87,7 @@ def _meetings(points, xs, starts, ends):
                     nodes.append((low, high, len(edges)))
                     continue
         if count <= _FEW or low == high:
-            found, size = _compare_all(points, found, size, edges)
+            found, size = _compare_all(points, found, size, _lowest_first(points, edges))
             continue
         middle = (low + high) // 2
         right, left = edges[ends[edges] > middle], edges[starts[edges] <= middle]
@@ -102,11 +104,13 @@ def _lines(points):
     n = len(points)
     lines = np.empty((n, 6))
     for e in range(n):
-        (ax, ay), (bx, by) = points[e], points[(e + 1) % n]
+        f = (e + 1) % n
+        ax, ay, bx, by = points[e, 0], points[e, 1], points[f, 0], points[f, 1]
         if ax > bx:
             ax, ay, bx, by = bx, by, ax, ay
         slope = (by - ay) / (bx - ax) if ax < bx else 0.0
-        lines[e] = ax, ay, bx, by, slope, _ROUNDING * max(abs(ay), abs(by))
+        lines[e, 0], lines[e, 1], lines[e, 2], lines[e, 3] = ax, ay, bx, by
+        lines[e, 4], lines[e, 5] = slope, _ROUNDING * max(abs(ay), abs(by))
     return lines
 
 
@@ -119,8 +123,9 @@ def _ordinate(lines, e, x):
 def _hold(held, top, edges):
     """Put edges on the stack."""
     while top + len(edges) > len(held):
-        held = np.concatenate((held, np.empty_like(held)))
-    held[top : top + len(edges)] = edges
+        held = longer(held)
+    for i in range(len(edges)):
+        held[top + i] = edges[i]
     return held, top + len(edges)
 
 
@@ -177,19 +182,27 @@ def _side(lines, r, ax, ay, bx, by, error):
     return int(at_a > error and at_b > error) - int(at_a < -error and at_b < -error)
 
 
+@njit(cache=True, inline="always")
+def _lowest_first(points, edges):
+    """The edges by their lowest ordinate; apart from what compares them, as small curves need no compiled sort."""
+    low = np.empty(len(edges))
+    for i in range(len(edges)):
+        low[i] = min(points[edges[i], 1], points[(edges[i] + 1) % len(points), 1])
+    return edges[np.argsort(low, kind="mergesort")]
+
+
 @njit(cache=True)
-def _compare_all(points, found, size, edges):
+def _compare_all(points, found, size, lowest_first):
     """Compare every pair whose ranges of ordinates overlap."""
     n = len(points)
-    low = np.minimum(points[edges, 1], points[(edges + 1) % n, 1])
-    order = np.argsort(low, kind="mergesort")
-    for i in range(len(order)):
-        e = edges[order[i]]
+    for i in range(len(lowest_first)):
+        e = lowest_first[i]
         high = max(points[e, 1], points[(e + 1) % n, 1])
-        for j in range(i + 1, len(order)):
-            if low[order[j]] > high:
+        for j in range(i + 1, len(lowest_first)):
+            f = lowest_first[j]
+            if min(points[f, 1], points[(f + 1) % n, 1]) > high:
                 break
-            found, size = _compare(points, found, size, e, edges[order[j]])
+            found, size = _compare(points, found, size, e, f)
     return found, size
 
 
@@ -203,13 +216,13 @@ def _compare(points, found, size, e, f):
     how = _how_they_meet(points, i, (i + 1) % n, j, (j + 1) % n)
     if how >= 0:
         if size == len(found):
-            found = np.concatenate((found, np.empty_like(found)))
+            found = longer(found)
         found[size] = (i * n + j) * _CODE + how
         size += 1
     return found, size
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _how_they_meet(points, a, b, c, d):
     """1 where the segments ab and cd cross inside both, 0 where they touch, -1 where they do not meet."""
     for axis in range(2):
@@ -225,12 +238,13 @@ def _how_they_meet(points, a, b, c, d):
         return 1
     if cda * cdb > 0:
         return -1
-    touch = (abc == 0 and _in_box(points, a, b, c)) or (abd == 0 and _in_box(points, a, b, d))
-    touch = touch or (cda == 0 and _in_box(points, c, d, a)) or (cdb == 0 and _in_box(points, c, d, b))
-    return 0 if touch else -1
+    for side, p, q, r in ((abc, a, b, c), (abd, a, b, d), (cda, c, d, a), (cdb, c, d, b)):
+        if side == 0 and _in_box(points, p, q, r):
+            return 0
+    return -1
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _in_box(points, a, b, c):
     """Whether point c lies in the box of the segment ab."""
     for axis in range(2):

@@ -204,6 +204,8 @@ class Triangulation:
         [[3, 0, 1], [3, 1, 2]]
         """
         n = len(self._points)
+        if shift % n == 0:
+            return self
         other = Triangulation(np.roll(self._points, -shift, axis=0), (self._triangles - shift) % n)
         return other._knowing(self.twin)
 

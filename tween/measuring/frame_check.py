@@ -170,7 +170,7 @@ def _check(shapes, stage, lists, faults, sums, heights, areas):
         faults[f, 0], faults[f, 1], faults[f, 2] = found
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _outside(points):
     """The first vertex whose coordinates the predicate cannot treat exactly; -1 for none."""
     for v in range(len(points)):
@@ -203,7 +203,7 @@ def _measure(points, triangles, sums, heights):
     return least
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _shape_fault(points, triangles, start, fans):
     """The first rule that the points break, under triangles that keep the rules of edges."""
     for i in range(len(triangles)):
@@ -222,7 +222,7 @@ def _shape_fault(points, triangles, start, fans):
     return (_SPIKE, worst, 2 * most) if back else (_TURNS, worst, turning)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _full_turns(points, v, fan):
     """floor(angle sum / 2 pi) of a fan of positive triangles, and whether it ends in its first direction."""
     full, right, ahead = 0, False, True
@@ -235,7 +235,7 @@ def _full_turns(points, v, fan):
     return full, ahead
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _same_direction(points, v, p, q):
     """Whether q lies on the same side of v as p, all three being on one line."""
     # comparing coordinates is exact where a difference would be rounded; p differs from v, as its triangle is positive
@@ -251,19 +251,22 @@ def _fans(triangles, n):
     """A fault of the triangles, and the fan of v in fans[start[v] : start[v + 1]]."""
     start, fans = np.zeros(n + 1, np.int64), np.empty(3 * len(triangles) + n, np.int64)
     for i in range(len(triangles)):
-        a, b, c = triangles[i]
+        a, b, c = triangles[i, 0], triangles[i, 1], triangles[i, 2]
         if min(a, b, c) < 0 or max(a, b, c) >= n or a == b or b == c or c == a:
             return (_INDEX, i, 0), start, fans
-        for v in triangles[i]:
-            start[v + 1] += 1
+        for s in range(3):
+            start[triangles[i, s] + 1] += 1
     # corners sorted by their vertex, by counting
-    first = np.cumsum(start)
-    corners, place = np.empty(3 * len(triangles), np.int64), first[:-1].copy()
+    first, place = np.zeros(n + 1, np.int64), np.zeros(n, np.int64)
+    for v in range(n):
+        first[v + 1], place[v] = first[v] + start[v + 1], first[v]
+    corners = np.empty(3 * len(triangles), np.int64)
     for h in range(corners.size):
         v = triangles[h // 3, h % 3]
         corners[place[v]] = h
         place[v] += 1
-    start = first + np.arange(n + 1)  # a fan has one vertex more than triangles
+    for v in range(n + 1):
+        start[v] = first[v] + v  # a fan has one vertex more than triangles
     # every walk leaves these at -1 again, so one pair serves all vertices
     after, before = np.full(n, -1), np.full(n, -1)
     for v in range(n):

@@ -1,6 +1,7 @@
 """How even a morph is: the area matrix, its rank, and the variance of the frame differences."""
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from tween.morphing.morph import Morph
@@ -59,11 +60,20 @@ def _areas(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
     shapes, stages = m.at(times), m.stage_at(times)
     areas = np.empty((len(m.source.triangles), len(times)))
     for stage in np.unique(stages):
-        now = stages == stage
-        x, y = np.ascontiguousarray(shapes[now].transpose(2, 1, 0))
-        a, b, c = m.triangles_at(times[now][0]).T
-        areas[:, now] = 0.5 * ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]))
+        now = np.flatnonzero(stages == stage)
+        _measure(shapes, m.triangles_at(times[now[0]]), now, areas)
     return areas
+
+
+@njit(cache=True)
+def _measure(shapes, triangles, now, areas):
+    """Write the areas, (n-2, k), of triangles in some of the shapes, (k, n, 2)."""
+    for f in now:
+        for i in range(len(triangles)):
+            a, b, c = triangles[i, 0], triangles[i, 1], triangles[i, 2]
+            x, y = shapes[f, a, 0], shapes[f, a, 1]
+            ux, uy, vx, vy = shapes[f, b, 0] - x, shapes[f, b, 1] - y, shapes[f, c, 0] - x, shapes[f, c, 1] - y
+            areas[i, f] = 0.5 * (ux * vy - uy * vx)
 
 
 def area_rank(A: NDArray[np.float64], rtol: float = HEADLINE_RTOL) -> int:

@@ -23,12 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import TweenError
-from tween.measuring.certificate import Certificate, verify
+from tween.measuring.certificate import Certificate, moment, verify
 
 _FIRST = 65  # samples
 _BENT = 0.25  # of the tolerance: how far a sample may lie off the middle of its neighbours
 _UNSEEN = 1 / 16  # of the tolerance: what happens between samples as close as that
-_SHORTEST = 2.0**-30  # of time, between samples
+_SHORTEST = 2.0**-300  # of time, between samples; elsewhere than near 0 doubles are farther apart
 _MOST_NUMBERS = 2**24  # vertices times samples
 
 
@@ -90,9 +90,10 @@ def playback(m: Any, tolerance: float = 1e-3, most: int = 1000) -> Playback:
 
     Notes
     -----
-    The distance is measured, at samples as close as that takes; that every instant bounds an immersed disk is
-    checked, exactly, whatever the morph promises.  Some thousands of shapes are made, and O(log k) straight motions
-    are checked for each time.
+    The distance is measured, at samples as close as that takes, down to neighbouring doubles: of two shapes that differ
+    in size by many powers of ten, the smaller one changes as close to its end as that.  That every instant bounds an
+    immersed disk is checked, exactly, whatever the morph promises.  Some thousands of shapes are made, and O(log k)
+    straight motions are checked for each time.
 
     Examples
     --------
@@ -152,7 +153,7 @@ class _Samples:
             return f"straight motion is {deviation:.3g} widths away from it"
         lists = np.stack([self.triangles(i), self.triangles(j)])
         failure = verify(self.shapes[[i, j]], lists, self.t[[i, j]], between="linear").first_failure
-        return f"at t = {failure.t:.17g} {failure.rule}" if failure else ""
+        return f"at t = {moment(failure.t)} {failure.rule}".replace("frames 0 and 1", "the two") if failure else ""
 
 
 def _in_widths(off: NDArray[np.float64], shapes: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -164,20 +165,39 @@ def _sampled(m: Any, tolerance: float) -> _Samples:
     """The morph at so many times that it hardly bends between two of them; at its flips, too."""
     t = np.union1d(np.linspace(0.0, 1.0, _FIRST), [event.time for event in m.events])
     samples = _Samples(m, t, m.at(t))
-    left = np.arange(len(t) - 1)
+    left = np.flatnonzero(_can_be_halved(t[:-1], t[1:]))
     while len(left):
         middle = 0.5 * (samples.t[left] + samples.t[left + 1])
         shapes = m.at(middle)
         off = shapes - 0.5 * (samples.shapes[left] + samples.shapes[left + 1])
         bent = _in_widths(off, shapes) > _BENT * tolerance
-        steep = bent & (samples.t[left + 1] - samples.t[left] < 2 * _SHORTEST)
-        if steep.any() or (len(samples.t) + len(left)) * shapes.shape[1] > _MOST_NUMBERS:
-            where = middle[np.flatnonzero(steep if steep.any() else bent)[0]]
-            raise TweenError(f"at t = {where:.9g} the morph is too fast to be followed within {tolerance:g} widths")
+        if (len(samples.t) + len(left)) * shapes.shape[1] > _MOST_NUMBERS:
+            raise _too_fast(middle[np.flatnonzero(bent)[0]], tolerance)
         samples.insert(middle, shapes)
         again = np.searchsorted(samples.t, middle[bent])
-        left = np.sort(np.concatenate([again - 1, again]))
+        again = np.sort(np.concatenate([again - 1, again]))
+        apart = _can_be_halved(samples.t[again], samples.t[again + 1])
+        for i in again[~apart].tolist():
+            _check_leap(samples, i, tolerance)
+        left = again[apart]
     return samples
+
+
+def _can_be_halved(start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether doubles have a time between two others."""
+    middle = 0.5 * (start + end)
+    return np.asarray((start < middle) & (middle < end) & (end - start >= 2 * _SHORTEST))
+
+
+def _check_leap(samples: _Samples, i: int, tolerance: float) -> None:
+    """Between neighbouring doubles there is nothing to follow; but a leap that people would see is no motion."""
+    width = float(np.ptp(samples.shapes, axis=1).max())
+    if np.hypot(*(samples.shapes[i + 1] - samples.shapes[i]).T).max() > tolerance * width:
+        raise _too_fast(samples.t[i], tolerance)
+
+
+def _too_fast(t: float, tolerance: float) -> TweenError:
+    return TweenError(f"at t = {moment(t)} the morph is too fast to be followed within {tolerance:g} widths")
 
 
 def _chosen(samples: _Samples, tolerance: float, most: int) -> list[int]:
@@ -185,8 +205,8 @@ def _chosen(samples: _Samples, tolerance: float, most: int) -> list[int]:
     chosen, step = [0], 1
     while chosen[-1] < len(samples.t) - 1:
         if len(chosen) == most:
-            t = samples.t[chosen[-1]]
-            raise TweenError(f"{most} times lead only to t = {t:.6g} within {tolerance:g} of the shape's width")
+            t = moment(samples.t[chosen[-1]])
+            raise TweenError(f"{most} times lead only to t = {t} within {tolerance:g} of the shape's width")
         i = chosen[-1]
         j = _farthest(samples, i, tolerance, step)
         while j == i:
@@ -214,7 +234,10 @@ def _halve(samples: _Samples, i: int, tolerance: float) -> None:
     """Put a sample between i and the next one, which cannot be reached; or say why that would not help."""
     start, end = samples.t[[i, i + 1]]
     complaint = samples.complaint(i, i + 1, tolerance)
+    if not _can_be_halved(start, end):
+        raise TweenError(
+            f"the morph cannot be played back from t = {moment(start)} on: {complaint}, and doubles have no time in "
+            "between; between shapes more alike in size it moves more slowly there"
+        )
     t = np.array([0.5 * (start + end)])
-    if end - start < 2 * _SHORTEST:
-        raise TweenError(f"the morph cannot be played back from t = {start:.9g} on: {complaint}")
     samples.insert(t, samples.m.at(t))

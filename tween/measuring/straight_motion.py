@@ -157,7 +157,7 @@ def _product(a, b, p, q, r, s, inner):
     return c0, c1, c2, _ROUNDING * e0, _ROUNDING * e1, _ROUNDING * e2
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _stays_positive(c0, c1, c2, e0, e1, e2):
     """Whether a quadratic that is positive at both ends surely is so between them."""
     if c1 >= e1:
@@ -166,7 +166,7 @@ def _stays_positive(c0, c1, c2, e0, e1, e2):
     return low > 0.0 and high > 0.0 and deep * deep + _UNDERFLOW < low * high * _SLACK
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _never_alike(a, b, v, successor, predecessor):
     """Whether the edges at v surely never point the same way, looking at one piece and then at many."""
     c0, c1, c2, e0, e1, e2 = _product(a, b, v, successor, v, predecessor, False)

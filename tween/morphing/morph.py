@@ -13,6 +13,7 @@ from tween.morphing.alignment import Alignment
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.incompatible.clock import CLOSE, LEAP, largest_leap
 from tween.morphing.incompatible.flow import Event
+from tween.morphing.plan import Plan
 from tween.triangulating.compatibility import match_rows
 
 if TYPE_CHECKING:
@@ -47,6 +48,14 @@ class Motion(Protocol):
         -------
         Doubt, or (float, float)
             The first one; or the times up to which the first shape, and from which on the last, is to be shown.
+        """
+
+    def plans(self) -> list[Plan]:
+        """Tell what the motion is made of, in order of time.
+
+        Returns
+        -------
+        list of Plan
         """
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -258,6 +267,25 @@ class Morph:
                 "width, which people would see as a jump; another path or strategy may do without"
             )
         return self
+
+    def plans(self) -> list[Plan]:
+        """Tell what the morph is made of: all that a stranger needs to check its promise anew, see `tween.certify`.
+
+        Returns
+        -------
+        list of Plan
+            In order of time, in this morph's times and vertices.
+        """
+        plans = self._motion.plans()
+        if self._backwards:
+            plans = [plan.backwards() for plan in reversed(plans)]
+        low, high = self._snaps
+        return [
+            plan.renumbered(self._shift).timed(
+                plan.start, plan.stop, lambda t: np.where(t <= low, 0.0, np.where(t >= high, 1.0, t))
+            )
+            for plan in plans
+        ]
 
     def _in_words(self, doubt: Doubt) -> str:
         """Say what is in doubt in this morph's times and vertices."""

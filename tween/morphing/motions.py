@@ -16,6 +16,7 @@ from tween.morphing.incompatible.flow import Event, Flow, shared_edge
 from tween.morphing.incompatible.through import Through
 from tween.morphing.morph import Morph, Motion
 from tween.morphing.placement import Steady
+from tween.morphing.plan import Plan
 from tween.triangulating.compatibility import match_rows
 from tween.triangulating.flips import flip_in_place
 
@@ -65,6 +66,9 @@ class _Compatible:
     def first_doubt(self, placing: Placing) -> Doubt | tuple[float, float]:
         return self._leg.first_doubt(placing)
 
+    def plans(self) -> list[Plan]:
+        return [self._leg.plan()]
+
 
 class _Paced:
     """A `Motion` without flips, run by a clock."""
@@ -80,6 +84,9 @@ class _Paced:
         found = self._motion.first_doubt(placing)
         first, last = self._clock.time(0, found[0]), self._clock.time(0, found[1])
         return found._replace(start=first, stop=last) if isinstance(found, Doubt) else (first, last)
+
+    def plans(self) -> list[Plan]:
+        return [plan.timed(0.0, 1.0, lambda t: self._clock.places(t)[1]) for plan in self._motion.plans()]
 
 
 def between(alignment: Alignment, choices: Choices) -> Morph:

@@ -28,6 +28,7 @@ from scipy.interpolate import CubicSpline
 
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.morph import Motion
+from tween.morphing.plan import Plan
 
 _STEPS, _FEWEST_STEPS = 512, 32  # by which the rotation is integrated, in each stretch without flips
 _AT_ONCE = 2**21  # vertices times shapes that are looked at for it
@@ -81,6 +82,15 @@ class Steady:
         Doubt, or (float, float)
         """
         return self._motion.first_doubt(placing)
+
+    def plans(self) -> list[Plan]:
+        """Tell what the motion is made of; where shapes stand does not matter for that.
+
+        Returns
+        -------
+        list of Plan
+        """
+        return self._motion.plans()
 
     @cached_property
     def _ends(self) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ Legend: ``i`` a leg, or the keyframe where it starts; ``s`` time of a leg, 0 to 
 """
 
 from collections.abc import Sequence as Several
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,11 +23,10 @@ from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import Alignment
-from tween.morphing.compatible.guarantee.rounding import Placing
 from tween.morphing.incompatible.flip_sequence import count_crossings
-from tween.morphing.incompatible.flow import Event
 from tween.morphing.keyframes.joining import Joined, join
 from tween.morphing.keyframes.keyframe import Keyframe
+from tween.morphing.keyframes.legs import Legs, Schedule
 from tween.morphing.morph import Morph
 from tween.morphing.strategy import morph_as_numbered
 
@@ -57,12 +56,12 @@ class Sequence(Morph):
         Whether it ends as it began.
     """
 
-    def __init__(self, joined: Joined, legs: list[Morph], schedule: "_Schedule", loop: bool) -> None:
+    def __init__(self, joined: Joined, legs: list[Morph], schedule: Schedule, loop: bool) -> None:
         vertices = joined.threads.vertices
         self.legs, self.vertices, self.loop = tuple(legs), vertices, loop
         self.times = schedule.reached
         self.keyframes = tuple(leg.source for leg in legs) + (() if loop else (legs[-1].target,))
-        motion = _Legs(legs, schedule, loop)
+        motion = Legs(legs, schedule, loop)
         target = self.keyframes[0] if loop else Triangulation(legs[-1].target.points, motion.stages[-1][1])
         source = legs[0].source
         crossings = 0 if np.array_equal(source.canonical, target.canonical) else count_crossings(source, target)
@@ -97,7 +96,8 @@ def sequence(
         Two at least.  A triangulation says which immersed disk is meant, where its curve bounds several; for a curve
         that is chosen so that the energies of all matches add up to least.
     loop : bool
-        Whether to go back from the last to the first; the first may stand at the end again.
+        Whether to go back from the last to the first; the first may stand at the end again, unless times or landmarks
+        count it as a keyframe of its own.
     times : sequence of float, optional
         When each keyframe is reached, rising, in any unit; of a loop one more, for the first one again.  Evenly spaced
         unless given.
@@ -151,7 +151,9 @@ def sequence(
     (True, True)
     """
     _check_options(path, placement, root, pace)
-    shapes = _without_return(list(keyframes), loop)
+    shapes = list(keyframes)
+    if loop and not _is_counted(len(shapes), times, landmarks):
+        shapes = _without_return(shapes)
     called = _called(len(shapes), names)
     if len(shapes) < 2:
         found = "is 1 keyframe" if len(shapes) == 1 else "are 0 keyframes"
@@ -179,9 +181,14 @@ def _check_options(path: str, placement: str, root: Any, pace: str) -> None:
             raise ValueError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _without_return(shapes: list[Any], loop: bool) -> list[Any]:
+def _is_counted(count: int, times: Several[float] | None, landmarks: Several[Several[int]] | None) -> bool:
+    """Whether times or landmarks are given for so many keyframes, so that the last one of a loop is one of its own."""
+    return (times is not None and np.shape(times) == (count + 1,)) or any(len(row) == count for row in landmarks or ())
+
+
+def _without_return(shapes: list[Any]) -> list[Any]:
     """The keyframes of a loop without the first one at the end."""
-    if not loop or len(shapes) < 3:
+    if len(shapes) < 3:
         return shapes
     first, last = (T.points if isinstance(T, Triangulation | Curve) else np.asarray(T) for T in (shapes[0], shapes[-1]))
     return shapes[:-1] if np.array_equal(first, last) else shapes
@@ -217,16 +224,7 @@ def _checked_landmarks(landmarks: Several[Several[int]] | None, frames: list[Key
 # Time
 
 
-class _Schedule(NamedTuple):
-    """When the legs start and stop, from 0 to 1, shape (legs,) each; when keyframes are reached; how legs move."""
-
-    starts: _Floats
-    stops: _Floats
-    reached: _Floats
-    eases: list[Ease]
-
-
-def _scheduled(count: int, loop: bool, times: Any, ease: Any, hold: Any) -> _Schedule:
+def _scheduled(count: int, loop: bool, times: Any, ease: Any, hold: Any) -> Schedule:
     legs = count if loop else count - 1
     reached = np.arange(legs + 1.0) if times is None else np.asarray(times, dtype=np.float64)
     if reached.shape != (legs + 1,) or not np.isfinite(reached).all() or (np.diff(reached) <= 0).any():
@@ -244,7 +242,7 @@ def _scheduled(count: int, loop: bool, times: Any, ease: Any, hold: Any) -> _Sch
     start, length = reached[0], end - reached[0]
     # Exactly 1 at the end: x / x.
     starts, stops, reached = ((x - start) / length for x in (starts, stops, reached))
-    return _Schedule(starts, stops, reached, _eases(ease, legs))
+    return Schedule(starts, stops, reached, _eases(ease, legs))
 
 
 def _eases(ease: Any, legs: int) -> list[Ease]:
@@ -255,90 +253,3 @@ def _eases(ease: Any, legs: int) -> list[Ease]:
     if len(ease) != legs:
         raise ValueError(f"there are {len(ease)} eases, expected one, or {legs}: one for each leg")
     return [as_ease(value) for value in ease]
-
-
-# Motion
-
-
-class _Legs:
-    """Legs one after the other, as a `Motion`."""
-
-    def __init__(self, legs: list[Morph], schedule: _Schedule, loop: bool) -> None:
-        self._legs, self._schedule = legs, schedule
-        self.stages: list[tuple[float, _Ints]] = []
-        self.events: list[Event] = []
-        for i, leg in enumerate(legs):
-            rows = self._taken_over(float(schedule.reached[i]), leg.source.triangles)
-            self._lead_through(i, leg, rows)
-        if loop:
-            self._taken_over(1.0, legs[0].source.triangles)
-            self.stages.append((1.0, legs[0].source.triangles))
-
-    def at(self, t: _Floats) -> _Floats:
-        """The shapes at many times, shape (k, n, 2)."""
-        starts, stops, _, eases = self._schedule
-        leg = np.clip(np.searchsorted(self._schedule.reached, t, side="right") - 1, 0, len(self._legs) - 1)
-        shapes = np.empty((len(t), len(self._legs[0].source), 2))
-        for i in np.unique(leg):
-            here = np.flatnonzero(leg == i)
-            share = np.clip((t[here] - starts[i]) / (stops[i] - starts[i]), 0.0, 1.0)
-            shapes[here] = self._legs[i].at(eases[i].at(share))
-        return shapes
-
-    def first_doubt(self, placing: Placing) -> tuple[float, float]:
-        """Every leg proves its own shapes, and raises where it cannot."""
-        for leg in self._legs:
-            leg.guaranteed()
-        return 0.0, 1.0
-
-    def _taken_over(self, time: float, triangles: _Ints) -> _Ints:
-        """Exchange diagonals for those of other triangles; return the rows in which these stand from then on."""
-        if not self.stages:
-            return np.arange(len(triangles))
-        old = self.stages[-1][1]
-        out, into = (_diagonals(T) for T in (old, triangles))
-        gone, come = sorted(out - into), sorted(into - out)
-        self.events += [Event(time, a, b) for a, b in zip(gone, come, strict=True)]
-        return _rows_kept(old, triangles)
-
-    def _lead_through(self, i: int, leg: Morph, rows: _Ints) -> None:
-        """Take on the stages and the events of a leg, in the time of the sequence."""
-        starts, stops, reached, eases = self._schedule
-
-        def when(s: float) -> float:
-            share = float(eases[i].when(np.array([s]))[0])
-            return float(starts[i] + share * (stops[i] - starts[i])) if s < 1 else float(stops[i])
-
-        self.stages.append((float(reached[i]), leg.source.triangles[rows]))
-        times = sorted({event.time for event in leg.events})
-        self.stages += [(when(s), leg.triangles_at(s if s > 0 else np.nextafter(0.0, 1.0))[rows]) for s in times]
-        self.events += [event._replace(time=when(event.time)) for event in leg.events]
-
-
-def _diagonals(triangles: _Ints) -> set[tuple[int, int]]:
-    n = len(triangles) + 2
-    edges = {(int(a), int(b)) for T in triangles for a, b in zip(T, np.roll(T, -1), strict=True)}
-    return {(a, b) for a, b in edges if a < b and (b, a) in edges and (b - a) % n != 1}
-
-
-def _rows_kept(old: _Ints, new: _Ints) -> _Ints:
-    """Rows of the new triangles, so that those that stay keep their places and the others come in order."""
-    places = {tuple(T): row for row, T in enumerate(_smallest_first(old))}
-    rows, free = np.full(len(new), -1), []
-    for row, T in enumerate(_smallest_first(new)):
-        place = places.pop(T, None)
-        if place is None:
-            free.append((T, row))
-        else:
-            rows[place] = row
-    for (_, place), (_, row) in zip(sorted(places.items()), sorted(free), strict=True):
-        rows[place] = row
-    return rows
-
-
-def _smallest_first(triangles: _Ints) -> list[tuple[int, ...]]:
-    first = triangles.argmin(axis=1)
-    return [
-        tuple(row)
-        for row in triangles[np.arange(len(triangles))[:, None], (first[:, None] + np.arange(3)) % 3].tolist()
-    ]

@@ -15,6 +15,7 @@ of those edges.  What is left are equal shapes in the same place, and half a tur
 side.  There, and only there, the order of their bytes decides.
 """
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -40,14 +41,21 @@ def shape_key(T: Triangulation, origin: NDArray[np.int64]) -> NDArray[np.float64
     ndarray of float64, shape (7,)
         None of them depends on place, turn or numbering; a similarity of two shapes keeps the quotients.
     """
-    z = T.points[origin >= 0] @ np.array([1.0, 1.0j])
+    return _key_of(_points(T, origin))
+
+
+@lru_cache(maxsize=8)  # both shapes of many morphs between triangulations of the same two curves
+def _key_of(points: bytes) -> NDArray[np.float64]:
+    z = np.frombuffer(points, "<f8").reshape(-1, 2) @ np.array([1.0, 1.0j])
     z = z - z.mean()
     edges = np.roll(z, -1) - z
     lengths = np.abs(edges)
     area = 0.5 * float((z.real * np.roll(z.imag, -1) - z.imag * np.roll(z.real, -1)).sum())
     turns = float((np.angle(edges / np.roll(edges, 1)) ** 2).sum())
     moment = float(np.sqrt((np.abs(z) ** 2).sum()))
-    return np.array([len(z), lengths.sum(), np.sqrt(abs(area)), lengths.max(), moment, lengths.min(), turns])
+    key = np.array([len(z), lengths.sum(), np.sqrt(abs(area)), lengths.max(), moment, lengths.min(), turns])
+    key.setflags(write=False)
+    return key
 
 
 def comes_later(
@@ -120,5 +128,9 @@ def _turned_or_moved(z: NDArray[np.complex128], w: NDArray[np.complex128], edge:
     return 0
 
 
+def _points(T: Triangulation, origin: NDArray[np.int64]) -> bytes:
+    return T.points[origin >= 0].astype("<f8").tobytes()
+
+
 def _bytes(T: Triangulation, origin: NDArray[np.int64]) -> tuple[bytes, bytes]:
-    return T.points[origin >= 0].astype("<f8").tobytes(), T.canonical.tobytes()
+    return _points(T, origin), T.canonical.tobytes()

@@ -312,7 +312,26 @@ def _first_guaranteed(source: Shape, target: Shape, found: Match, choices: Choic
 
 def _unmatched(strategy: Strategy, source: Shape, target: Shape, choices: Choices) -> Morph:
     """Morph without a match, from the one of the two shapes that comes first."""
+    alignment, exchanged = without_match(strategy, source, target)
+    return between(alignment, choices._replace(exchanged=exchanged))
+
+
+def without_match(strategy: Strategy, source: Shape, target: Shape) -> tuple[Alignment, bool]:
+    """Align two shapes without a match, as `morph` does for the strategies "common" and "paper".
+
+    Parameters
+    ----------
+    strategy : {"auto", "common", "paper"}
+    source, target : Triangulation, Curve or array_like of shape (n, 2)
+
+    Returns
+    -------
+    alignment : Alignment
+        From the one of the two that comes first: `between` may be asked for many morphs along it.
+    exchanged : bool
+        Whether that is the target.
+    """
     first, second, *origins = equal_counts(source, target)
     if comes_later(first, origins[0], second, origins[1]):
-        return between(aligned(strategy, second, first, origins[::-1]), choices._replace(exchanged=True))
-    return between(aligned(strategy, first, second, origins), choices)
+        return aligned(strategy, second, first, origins[::-1]), True
+    return aligned(strategy, first, second, origins), False

@@ -178,7 +178,8 @@ def _write_small(path: str | os.PathLike[str], made: Callable[[int], Film], size
         if len(content) < _SMALL:
             return _write(path, suffix, content)
     found = f"{len(content)} bytes at {side} pixels, expected less than {_SMALL}"
-    raise FileError(f"{os.fspath(path)}: would have {found}; fewer frames or style='outline' help")
+    help = "style 'fill' or 'outline'" if suffix in _MOVING else "fewer frames, or the style 'outline',"
+    raise FileError(f"{os.fspath(path)}: would have {found}; {help} makes it smaller")
 
 
 def _write_numbered(path: str | os.PathLike[str], shown: Film) -> Path:

@@ -109,7 +109,7 @@ def _lay(canvas, polygons, colors, bare):
                     canvas[y // _FINE, x // _FINE, channel] += share * change
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _add_edge(sums, a, b, color):
     """Add the colour where the edge enters a polygon, or take it away where it leaves it, in the rows it crosses."""
     sign, top, bottom = (1, a, b) if b[1] > a[1] else (-1, b, a)

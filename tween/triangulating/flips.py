@@ -198,7 +198,7 @@ def _rows(test: Callable[..., bool], T: Triangulation) -> NDArray[np.bool_]:
     return np.array([test(T.points, T.triangles, T.twin, x) for x in h], dtype=np.bool_)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def quadrilateral(triangles, twin, h):
     """Corners a, b, c, d around half-edge h from a to b, for compiled kernels."""
     t, s = h // 3, h % 3
@@ -206,7 +206,7 @@ def quadrilateral(triangles, twin, h):
     return triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3], triangles[g // 3, (g + 2) % 3]
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def not_delaunay(points, triangles, twin, h):
     """Whether half-edge h lies on a diagonal that is not locally Delaunay, exactly, for compiled kernels."""
     a, b, c, d = quadrilateral(triangles, twin, h)
@@ -221,7 +221,7 @@ def is_convex(points, triangles, twin, h):
     return turn(points, d, b, c) > 0 and turn(points, c, a, d) > 0
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _glue(twin, h, g):
     """Let half-edge h lie across half-edge g, which may be -1 for the boundary."""
     twin[h // 3, h % 3] = g
@@ -244,28 +244,24 @@ def flip_in_place(triangles, twin, h):
     ad, db = twin[u, (r + 1) % 3], twin[u, (r + 2) % 3]
     triangles[t, 0], triangles[t, 1], triangles[t, 2] = c, d, b
     triangles[u, 0], triangles[u, 1], triangles[u, 2] = d, c, a
-    _glue(twin, 3 * t, 3 * u)
-    _glue(twin, 3 * t + 1, db)
-    _glue(twin, 3 * t + 2, bc)
-    _glue(twin, 3 * u + 1, ca)
-    _glue(twin, 3 * u + 2, ad)
+    for half, other in ((3 * t, 3 * u), (3 * t + 1, db), (3 * t + 2, bc), (3 * u + 1, ca), (3 * u + 2, ad)):
+        _glue(twin, half, other)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _number_edges(twin):
     """Give each diagonal a number: (number of each half-edge, a half-edge of each number)."""
-    flat = twin.ravel()
-    number, half = np.full(flat.size, -1, np.int64), np.empty(flat.size, np.int64)
+    number, half = np.full(twin.size, -1, np.int64), np.empty(twin.size, np.int64)
     size = 0
-    for h in range(flat.size):
-        if flat[h] > h:  # each diagonal once, and no edge of the curve
-            number[h] = number[flat[h]] = size
-            half[size] = h
+    for h in range(twin.size):
+        g = twin[h // 3, h % 3]
+        if g > h:  # each diagonal once, and no edge of the curve
+            number[h], number[g], half[size] = size, size, h
             size += 1
     return number, half[:size]
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _flip_numbered(triangles, twin, number, half, edge):
     """Flip, and carry the edge numbers to the half-edges' new places."""
     h = half[edge]

@@ -147,7 +147,7 @@ def _set_waiting(waits, waiting, v, value):
     waits[v] = value
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _next_waiting(waits, waiting, position, end):
     """The first position from the given one on whose vertex waits; at least ``end`` where none does before."""
     n = len(waits)
@@ -159,7 +159,7 @@ def _next_waiting(waits, waiting, position, end):
     return position
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _wake(waits, waiting, following, preceding, a, v, b):
     """Once v is gone, let its neighbours and those that it kept wait to be tested."""
     for freed in (a, b):
@@ -195,7 +195,7 @@ def _release(following, preceding, v):
 # Vertices in triangles
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _in_blocks_of_space(points):
     """Vertices in Morton order of their ranks by abscissa and ordinate: neighbours are near, at whatever scale."""
     n = len(points)
@@ -232,7 +232,7 @@ def _tree(points, order):
     return boxes, alive, np.array(starts)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _remove(alive, starts, leaf):
     """Count one vertex less, from its leaf to the root."""
     node = leaf
@@ -241,7 +241,7 @@ def _remove(alive, starts, leaf):
         node //= _FAN
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _vertex_inside(points, order, tree, a, v, b, side):
     """Some other vertex in the closed triangle of a, v, b; -1 where there is none."""
     boxes, alive, starts = tree

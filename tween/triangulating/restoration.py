@@ -78,7 +78,7 @@ class _Scratch(NamedTuple):
     stack: NDArray[np.int64]
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _scratch(n):
     """Room for the dents of a curve of n vertices: what a dent meets never has more than n vertices."""
     return _Scratch(
@@ -136,7 +136,7 @@ def _legalise(points, triangles, twin, edge, h):
                     stack.append(3 * t + s)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _link(triangles, twin, edge, size, kept):
     """Find the twins of the first triangles: at every vertex by the triangles around it."""
     # an edge is on the curve where it leads to the next vertex that was kept
@@ -175,7 +175,7 @@ def _join(twin, edge, triangles, h, g):
         edge[triangles[h // 3, h % 3]] = h
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _glue_ear(triangles, twin, edge, size, a, v, b):
     """Put the triangle a v b on the edge ab of the curve, in the first free row."""
     old, h = edge[a], 3 * size  # read before edge[a] becomes the new half-edge from a to v
@@ -190,7 +190,7 @@ def _write(triangles, t, a, b, c):
     triangles[t, 0], triangles[t, 1], triangles[t, 2] = a, b, c
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _cut_dent(points, triangles, twin, edge, size, a, v, b, work):
     """Cut the triangle a b v out: walk from ab to v, and fill what remains of the triangles met.
 
@@ -264,7 +264,7 @@ def _fill(points, triangles, twin, edge, m, work, used):
     return used
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _apex(points, polygon, i, j):
     """The third vertex over the base from polygon[j] to polygon[i]: no other one is inside the circle."""
     # circles through the ends of the base are nested on each side of it, so one pass finds the one that is empty

@@ -68,21 +68,44 @@ def test_the_table_is_the_ledger_and_has_every_claim_that_was_asked_for() -> Non
     assert set(TABLE["id"]) >= WANTED
     for row in TABLE.itertuples():
         c = claims.LEDGER[row.id]
-        written = (row.section, row.claim, row.rule, row.evidence, row.figure)
-        assert written == (c.section, c.text, f"{c.rule}: {c.cases}", "; ".join(c.evidence), c.figure)
+        written = (row.section, row.kind, row.claim, row.rule, row.evidence, row.figure)
+        assert written == (c.section, c.kind, c.text, f"{c.rule}: {c.cases}", "; ".join(c.evidence), c.figure)
         assert row.condition == (c.condition if row.verdict == rules.CONDITION else "")
 
 
 def test_every_row_says_what_it_must() -> None:
-    assert set(TABLE["verdict"]) == set(rules.VERDICTS)
+    assert set(TABLE["verdict"]) <= set(rules.VERDICTS)
+    assert set(TABLE["as_printed"]) <= set(rules.VERDICTS) - {rules.CONDITION}
+    assert (TABLE["as_printed"] == TABLE["verdict"])[TABLE["verdict"] != rules.CONDITION].all()
+    assert (TABLE["as_printed"] != rules.HOLDS)[TABLE["verdict"] == rules.CONDITION].all()
     assert ((TABLE["condition"] != "") == (TABLE["verdict"] == rules.CONDITION)).all()
     assert set(TABLE["rule"].str.partition(":")[0]) == set(rules.RULES)
     assert ((TABLE["p"] != "") == TABLE["rule"].str.startswith("more:")).all()
-    assert TABLE["interval"].str.fullmatch(r"(.* )?[-\d.e]+ \([-\d.e]+ to [-\d.e]+\)").all()
+    assert (
+        TABLE["interval"]
+        .str.fullmatch(r"(.*: )?([\d,]+ of [\d,]+|rho = [-\d.e]+ in \d+ groups) \([-\d.e]+ to [-\d.e]+\)")
+        .all()
+    )
     assert TABLE["number"].str.contains(r"\d").all()
     assert TABLE["claim"].str.len().min() > 0
     assert TABLE["section"].str.match(r"[1-8]").all()
     assert TABLE["section"].str[0].astype(int).is_monotonic_increasing
+
+
+def test_the_three_open_questions_are_told_from_the_claims() -> None:
+    questions = TABLE[TABLE["kind"] == claims.QUESTION]
+    assert set(questions["id"]) == {"better-alignment", "flips-can-be-early", "central-root-is-good"}
+    assert questions["rule"].str.contains(": our answer: ").all()
+    assert set(TABLE["kind"]) == {claims.CLAIM, claims.QUESTION}
+
+
+def test_a_measure_is_asked_for_quality_also_where_all_frames_bound_disks() -> None:
+    for name in ("rank-tracks-smoothness", "variance-tracks-smoothness"):
+        row = TABLE[TABLE["id"] == name].iloc[0]
+        parts = row["interval"].split("; ")
+        under = [part for part in parts if part.startswith("[")]
+        assert (len(parts), len(under)) == (5, 2) and not any("frames" in part for part in under)
+        assert row["as_printed"] != rules.HOLDS and row["verdict"] == rules.CONDITION
 
 
 @pytest.mark.parametrize("evidence", sorted({e for row in TABLE["evidence"] for e in row.split("; ")}))

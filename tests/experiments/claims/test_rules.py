@@ -6,7 +6,19 @@ import pytest
 
 from experiments import subjects
 from experiments.claims import rules
-from experiments.claims.rules import CONDITION, FAILS, HOLDS, UNSEEN, every, more, more_pairs, outcome, some, tracks
+from experiments.claims.rules import (
+    CONDITION,
+    FAILS,
+    HOLDS,
+    UNSEEN,
+    WEAK,
+    every,
+    more,
+    more_pairs,
+    outcome,
+    some,
+    tracks,
+)
 
 
 def test_one_case_against_it_makes_a_statement_about_all_fail() -> None:
@@ -52,10 +64,10 @@ def test_pairs_of_few_curves_say_less_than_as_many_independent_cases() -> None:
     assert outcome(more_pairs(0 * signs)) == UNSEEN
 
 
-def test_a_correlation_has_to_be_moderate_and_above_nothing() -> None:
+def test_a_correlation_holds_where_it_is_moderate_and_weakly_where_it_is_only_above_nothing() -> None:
     rng = np.random.default_rng(1)
     assert outcome(tracks(0.5 + 0.1 * rng.standard_normal(30))) == HOLDS
-    assert outcome(tracks(0.2 + 0.05 * rng.standard_normal(30))) == UNSEEN
+    assert outcome(tracks(0.2 + 0.05 * rng.standard_normal(30))) == WEAK
     assert outcome(tracks(0.3 * rng.standard_normal(30))) == UNSEEN
     assert outcome(tracks(-0.5 + 0.1 * rng.standard_normal(30))) == FAILS
     assert tracks([0.5, np.nan, 0.5]).value == 0.5
@@ -66,6 +78,10 @@ def test_a_claim_needs_all_its_parts_and_its_condition_is_judged_alike() -> None
     assert rules.verdict((yes, yes)) == HOLDS
     assert rules.verdict((yes, open_)) == UNSEEN
     assert rules.verdict((yes, open_, no)) == FAILS
+    weak = rules.Cases("tracks", 30, 0.2, 0.1, 0.3)
+    assert rules.verdict((yes, weak)) == WEAK
+    assert rules.verdict((weak, open_)) == UNSEEN
+    assert rules.verdict((weak,), (yes,)) == CONDITION
     assert rules.verdict((no,), (yes,)) == CONDITION
     assert rules.verdict((open_,), (yes,)) == CONDITION
     assert rules.verdict((no,), (no,)) == FAILS
@@ -73,5 +89,7 @@ def test_a_claim_needs_all_its_parts_and_its_condition_is_judged_alike() -> None
 
 
 def test_parts_are_written_with_their_names() -> None:
-    assert rules.intervals((every(1, 1, "a"), more(1, 1))) == "a 1 (0.207 to 1); 0.5 (0.0945 to 0.905)"
-    assert rules.p_values((every(1, 1, "a"), more(1, 1, "b"))) == "b 1"
+    assert rules.intervals((every(1, 1, "a"), more(1, 1))) == "a: 1 of 1 (0.207 to 1); 1 of 2 (0.0945 to 0.905)"
+    assert rules.intervals([rules.Cases("tracks", 561, 0.25, 0.2, 0.3)]) == "rho = 0.25 in 561 groups (0.2 to 0.3)"
+    assert rules.intervals([more(0, 0)]) == "0 of 0 (0 to 1)"
+    assert rules.p_values((every(1, 1, "a"), more(1, 1, "b"))) == "b: 1"

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 from experiments.catalogue import STEPS, writer
-from experiments.claims.rules import RULES
+from experiments.claims.rules import ORIGIN, RULES, TOGETHER
 from experiments.report import facts, tables
 from experiments.report import page as report
 from experiments.report.__main__ import main
@@ -51,14 +51,16 @@ class Reader(HTMLParser):
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a copy of the results with a ledger of two claims, one of them awkward to write in HTML."""
+    """Return a copy of the results with a ledger of two claims, one awkward to write in HTML, and an open question."""
     folder = tmp_path_factory.mktemp("project") / "results"
     shutil.copytree(RESULTS, folder, ignore=shutil.ignore_patterns("animations", "*.pdf", "*.html"))
     columns = [
         "id",
         "section",
+        "kind",
         "claim",
         "rule",
+        "as_printed",
         "verdict",
         "number",
         "interval",
@@ -72,11 +74,13 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
         [
             "one",
             "4",
+            "claim",
             "It holds",
             "more: a curve",
             "holds",
+            "holds",
             "7 of 7",
-            "1 (0.65 to 1)",
+            "7 of 7 (0.65 to 1)",
             "0.016",
             "",
             "experiments/studies/to_disk.py; tests/no_such.py::test_it",
@@ -85,13 +89,30 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
         [
             "two",
             "5",
+            "claim",
             'A "<b>" & <script>',
             "every: all",
             "fails",
+            "holds under a condition",
             "u < 1e-4",
-            "0.5 (0 to 1)",
+            "1 of 2 (0 to 1)",
             "",
             "with `x`",
+            "README.md",
+            "",
+        ],
+        [
+            "three",
+            "7",
+            "open question",
+            "What is wanted",
+            "more: our answer",
+            "holds",
+            "holds",
+            "3 of 3",
+            "3 of 3 (0 to 1)",
+            "",
+            "",
             "README.md",
             "",
         ],
@@ -169,7 +190,7 @@ def test_the_rules_stand_before_the_verdicts_and_what_is_not_known_after_them(pa
         page.ids.index(part) for part in ("introduction", "methods", "claims", "limitations", "references", "made")
     ]
     assert order == sorted(order)
-    for words in (*RULES.values(), *REFERENCES):
+    for words in (*RULES.values(), TOGETHER, ORIGIN, *REFERENCES.values()):
         assert words in page.words
 
 
@@ -186,10 +207,16 @@ def test_the_page_is_of_a_size_that_can_be_sent(text: str) -> None:
 
 def test_claims_are_quoted_and_counted(text: str, page: Reader) -> None:
     assert 'A "<b>" & <script>' in page.words
-    assert "Of 2 claims of the paper 1 hold, 0 hold under a condition, 0 show no difference and 1 fail" in page.words
+    assert (
+        "Of 2 claims of the paper 1 hold, 1 hold under a condition, 0 hold weakly, 0 show no difference and 0 fail"
+        in page.words
+    )
+    assert "as printed 1 hold and 1 do not" in page.words
+    assert "As printed it fails." in page.words
+    assert page.words.count("Open question") == 1
     assert "<code>x</code>" in text
-    assert "1 (0.65 to 1); sign test, p: 0.016." in page.words
-    assert "0.5 (0 to 1)." in page.words
+    assert "7 of 7 (0.65 to 1); sign test, p: 0.016." in page.words
+    assert "1 of 2 (0 to 1)." in page.words
     assert 'href="../experiments/studies/to_disk.py"' in text
     assert "tests/no_such.py::test_it" in page.words
     assert "no_such.py" not in " ".join(page.addresses)

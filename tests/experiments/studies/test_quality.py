@@ -32,7 +32,7 @@ def test_weights_count_rows_as_often_as_they_say() -> None:
 def test_a_search_goes_down_to_where_no_flip_improves() -> None:
     T = decompose(gallery.curve("horseshoe")).arbitrary()
 
-    def fewest_obtuse(S: quality.Triangulation) -> tuple[float, ...]:
+    def fewest_obtuse(S: quality.Triangulation) -> tuple[float, float]:
         return (-float(np.sort(S.areas)[0]), float(np.abs(S.triangles[:, 0] - S.triangles[:, 1]).sum()))
 
     found, looked_at = quality.descend(T, fewest_obtuse, np.random.default_rng(0), 4000)
@@ -41,6 +41,14 @@ def test_a_search_goes_down_to_where_no_flip_improves() -> None:
     flips = [quality.flip(found, tuple(d)) for d in found.diagonals[quality.flippable(found)].tolist()]
     assert min(map(fewest_obtuse, flips)) >= fewest_obtuse(found)
     assert quality.descend(T, fewest_obtuse, np.random.default_rng(0), 5)[1] == 5
+
+
+def test_what_differs_by_rounding_ties_and_the_first_is_taken() -> None:
+    tied = [(3.0, 2e-6), (3.0, 2e-6 * (1 - 1e-12)), (4.0, 1e-9), (3.0, 2e-6 * (1 + 1e-12))]
+    assert quality.lowest(tied) == 0
+    assert not any(quality.lower(value, tied[0]) for value in tied)
+    assert quality.lowest([*tied, (3.0, 1.9e-6)]) == 4
+    assert quality.lowest([*tied, (2.0, 1.0)]) == 4
 
 
 def test_the_remeshed_row_is_what_the_code_gives() -> None:

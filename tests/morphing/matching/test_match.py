@@ -3,16 +3,22 @@
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
+from itertools import combinations
 from math import inf, sqrt
 
 import numpy as np
 import pytest
 from oracle import turning_number, valid_triangulations
 
-from tween import gallery
+from tween import Triangulation, gallery, remesh, triangulate
 from tween.errors import IncompatibleError
 from tween.measuring.certificate import verify
-from tween.morphing.matching.match import match
+from tween.morphing.alignment import common
+from tween.morphing.matching.given import Landmarks
+from tween.morphing.matching.levels import first_level
+from tween.morphing.matching.match import energy, match
+from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.spread import spread
 from tween.triangulating.decomposition import decompose
 
 # Exhaustive search: its own code, exact signs, every correspondence written down
@@ -168,6 +174,8 @@ def coarse(name, n, start=0):
     return p[np.round(np.arange(n) * len(p) / n).astype(int)]
 
 
+NO_LANDMARKS = Landmarks(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))
+
 # What a match must not depend on
 
 PAIRS = [("arrow", "horseshoe"), ("two_disks", "ess"), ("P", "U"), ("comb", "spiral_2")]
@@ -232,6 +240,45 @@ def test_vertices_moved_a_little_find_themselves(name, rng):
     ahead = (a.target_vertices[both] + start - a.source_vertices[both]) % len(p)
     turned = len(p) // 2 if name in ("ess", "two_disks") else 0
     assert max(np.sum(ahead == 0), np.sum(ahead == turned)) >= 0.99 * len(p)
+
+
+def symmetries(p):
+    """Renumberings under which a curve is its own image, or nearly."""
+    z = p @ [1, 1j]
+    z = (z - z.mean()) / np.linalg.norm(z - z.mean())
+    return [k for k in range(len(z)) if abs(np.vdot(z, np.roll(z, -k))) > 1 - 1e-3]
+
+
+@pytest.mark.slow
+def test_on_all_curves_together_99_of_100_moved_vertices_find_themselves(rng):
+    found = total = 0
+    for name in [*gallery.names(), *gallery.letters()]:
+        p = points_of(name)
+        gap = np.hypot(*(np.roll(p, -1, axis=0) - p).T).min()
+        a = match(p, p + rng.normal(scale=0.05 * gap, size=p.shape))
+        check(a)
+        both = (a.source_vertices >= 0) & (a.target_vertices >= 0)
+        ahead = (a.target_vertices[both] - a.source_vertices[both]) % len(p)
+        found += max(np.sum(ahead == k) for k in symmetries(p))
+        total += len(p)
+    assert found >= 0.99 * total
+
+
+@pytest.mark.slow
+def test_no_refinement_has_more_energy_than_places_in_proportion_between_the_nodes_of_the_first_level():
+    """Where such a lift has a common triangulation: on half of these pairs and more."""
+    lifted = 0
+    for name, other in combinations(["arrow", "ell", "ess", "horseshoe", "loop", "comb"], 2):
+        meshes = [remesh(triangulate(gallery.curve(k))) for k in (name, other)]
+        S, T = (Shape(mesh, np.zeros(len(mesh), dtype=bool)) for mesh in meshes)
+        first = first_level(S, T, (24, 24), (1, 1), NO_LANDMARKS, 0.0)[0]
+        _, p, q = spread(S, T, first)
+        shared = common(p, Triangulation(q.points, p.triangles))
+        if shared is not None:
+            lifted += 1
+            lift = energy(shared, Triangulation(q.points, shared.triangles))
+            assert match(S.triangulation, T.triangulation).energy <= lift * (1 + 1e-9), (name, other)
+    assert lifted >= 8
 
 
 # Landmarks, triangulations, and what has no common triangulation

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tween import Triangulation, triangulate
+from tween import Curve, Triangulation, remesh, triangulate
 from tween.gallery import curve, random_disk
 from tween.morphing.matching.simplify import simplify
 
@@ -42,3 +42,10 @@ def test_another_start_leaves_the_same_vertices(shift: int) -> None:
     nothing = np.zeros(len(T), dtype=bool)
     plain, rolled = (simplify(U, [12], nothing)[0].kept for U in (T, T.rolled(shift)))
     assert sorted((rolled + shift) % len(T)) == plain.tolist()
+
+
+def test_straight_sides_of_a_finely_sampled_curve_are_thinned_out_evenly() -> None:
+    square = Curve([[0, 0], [150, 0], [150, 150], [0, 150]]).insert_vertices(600)
+    kept = simplify(remesh(triangulate(square)), [310], np.zeros(600, dtype=bool))[0].kept
+    assert len(kept) == 310
+    assert np.diff(np.append(kept, 600)).max() <= 4  # 2 where each second one may go

@@ -213,6 +213,7 @@ def _landmarks_from_files(shapes: list[Shape | None]) -> list[tuple[int, ...]]:
 
 def _trust(m: Morph, certificate: Certificate | None) -> str:
     if certificate is not None:
-        checked = f"checked for every instant of playback at {certificate.frames_checked} frames"
-        return checked if certificate.valid else "refuted: not every shape bounds an immersed disk"
+        checked = certificate.proof.split(": ")[0]
+        valid = f"{checked} at {certificate.frames_checked} frames"
+        return valid if certificate.valid else "refuted: not every shape bounds an immersed disk"
     return "promised to be valid, not checked (--certify checks it)" if m.proof else "not checked (--certify checks it)"

@@ -125,6 +125,7 @@ def _follow_paths() -> None:
     for path in PATHS:
         for guarantee in (True, False):
             morph(T, T.on_disk(), path=path, guarantee=guarantee).frames(3)
+    morph(*gallery.fan()).frames(3)  # needs angle budgets
 
 
 def _flip() -> None:

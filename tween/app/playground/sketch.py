@@ -162,9 +162,11 @@ class Sketch:
             See `footage`; without frames where there is no morph, and `words` says why.
         """
         self.morph = None
-        for shape in (self.source, self.target):
-            if not shape.answer:
-                return _nothing(HINT if shape.curve is None else "No morph: both curves have to bound a disk.")
+        shapes = self.source, self.target
+        if any(shape.words == HINT for shape in shapes):
+            return _nothing("Draw a closed curve on either side.") | {"waiting": True}
+        if not all(shape.answer for shape in shapes):
+            return _nothing("No morph: both curves have to bound a disk.")
         wanted = OPTIONS | dict(options)
         try:
             wanted["landmarks"] = [(_shown(self.source, i), _shown(self.target, j)) for i, j in wanted["landmarks"]]

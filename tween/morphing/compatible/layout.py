@@ -22,9 +22,9 @@ def placed(laid, root, first_centre, last_centre, t, source, target):
     shapes = np.empty((k, n, 2))
     for f in range(k):
         if t[f] == 0.0:  # the ends are the input to the last bit, free of what the layout rounds
-            shapes[f] = source
+            _copy(source, shapes[f])
         elif t[f] == 1.0:
-            shapes[f] = target
+            _copy(target, shapes[f])
         else:
             root_centre = (laid[root[0], f] + laid[root[1], f] + laid[root[2], f]) * (1.0 / 3.0)
             step = (1.0 - t[f]) * first_centre + t[f] * last_centre - root_centre
@@ -32,6 +32,13 @@ def placed(laid, root, first_centre, last_centre, t, source, target):
                 place = laid[i, f] + step
                 shapes[f, i, 0], shapes[f, i, 1] = place.real, place.imag
     return shapes
+
+
+@njit(cache=True, inline="always")
+def _copy(points, place):
+    """Write points, (n, 2), to a place."""
+    for i in range(len(points)):
+        place[i, 0], place[i, 1] = points[i, 0], points[i, 1]
 
 
 @njit(cache=True)
@@ -55,27 +62,41 @@ def root_base(source, target, by_squares, t):
     return e
 
 
+@njit(cache=True, inline="always")
+def _any_finite(values):
+    for value in values:
+        if math.isfinite(value):
+            return True
+    return False
+
+
 @njit(cache=True)
-def hang(corners, children, z, root_base, t, by_area, path, budgets):
-    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area or kept to the budgets."""
+def hang(corners, children, z, root_base, t, path, budgets):
+    """Shapes, (n, k), up to a translation each; z, (m, k) in tree order, is set by area or kept to the budgets.
+
+    What moves along other paths than "area" has None for it, and what needs no budgets None for these: numba then
+    compiles nothing for them.
+    """
     m, k = z.shape
-    areas, above, below, blend, plain_first, plain_last = path
-    first, last, low, high = budgets
     shapes, bases = np.empty((m + 2, k), np.complex128), np.empty((m, k), np.complex128)
-    bases[0] = root_base
-    shapes[corners[0, 0]] = 0.0
-    shapes[corners[0, 1]] = root_base
+    for f in range(k):  # array expressions would make an array each, and are long to compile
+        bases[0, f] = root_base[f]
+        shapes[corners[0, 0], f] = 0.0
+        shapes[corners[0, 1], f] = root_base[f]
     for i in range(m):  # parents come first: the base of i, and its ends, are known by now
-        if by_area:
+        if path is not None:
+            areas, above, below, blend, plain_first, plain_last = path
             for f in range(k):
                 square = bases[i, f].real ** 2 + bases[i, f].imag ** 2
                 z[i, f] = area_third(i, square, t[f], areas, above, below, blend, plain_first, plain_last)
-        elif np.isfinite(low[i]).any():  # the others keep their bits
-            keep_to_budget(z[i], t, first[i], last[i], low[i], high[i])
+        if budgets is not None:
+            first, last, low, high = budgets
+            if _any_finite(low[i]):  # the others keep their bits
+                keep_to_budget(z[i], t, first[i], last[i], low[i], high[i])
         a, c = corners[i, 0], corners[i, 2]
-        for f in range(k):  # array expressions would make an array each
+        for f in range(k):
             shapes[c, f] = shapes[a, f] + z[i, f] * bases[i, f]
-        across_bc, across_ca, across_ab = children[i]
+        across_bc, across_ca, across_ab = children[i, 0], children[i, 1], children[i, 2]
         if across_bc >= 0:
             for f in range(k):
                 bases[across_bc, f] = (1.0 - z[i, f]) * bases[i, f]
@@ -83,5 +104,6 @@ def hang(corners, children, z, root_base, t, by_area, path, budgets):
             for f in range(k):
                 bases[across_ca, f] = z[i, f] * bases[i, f]
         if across_ab >= 0:
-            bases[across_ab] = -bases[0]
+            for f in range(k):
+                bases[across_ab, f] = -bases[0, f]
     return shapes

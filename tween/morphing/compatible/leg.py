@@ -6,6 +6,8 @@ its parent, and moves its third vertex along a path (`.paths`).  Points are comp
 Legend: ``a b c`` the corners of a triangle, ab its base; ``z = (c-a)/(b-a)``; ``e = b-a``; ``t`` time.
 """
 
+from functools import cached_property
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,6 +27,7 @@ from tween.morphing.compatible.guarantee.area_twists import AreaPath, kept_below
 from tween.morphing.compatible.guarantee.rounding import Doubt, Layout, Placing, cut, first_doubt
 from tween.morphing.compatible.layout import hang, placed, root_base
 from tween.morphing.compatible.paths import base_angles, corner_angles, third_vertices
+from tween.morphing.plan import Plan
 
 _THINNEST = 2.0**-60
 _ROUNDING = 2.0**-48  # relative, of lengths
@@ -77,7 +80,6 @@ class Leg:
         self._propagates = _propagates(source.twin, self._tree)
         self._stretch = np.abs((self._end[:, 1] - self._end[:, 0]) / (self._start[:, 1] - self._start[:, 0]))
         self._angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
-        self.area_path = straight_area_path(_areas(self._start, self._end), *self._angles)
         self._children = self._places_of_children()
         self._centres = self._start[0].mean(), self._end[0].mean()
         self.budgets = no_budgets(len(self._corners))
@@ -85,6 +87,11 @@ class Leg:
         self._first_bounds: tuple[NDArray[np.float64], Bounds] | None = None
         if guarantee:
             self._give_budgets(reserve)
+
+    @cached_property
+    def area_path(self) -> AreaPath:
+        """What the path "area" is, kept below full turns where that is guaranteed."""
+        return straight_area_path(_areas(self._start, self._end), *self._angles)
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lay out the triangles of all times, the root first and each child on its base.
@@ -99,9 +106,20 @@ class Leg:
         ndarray of float64, shape (k, n, 2)
             At times 0 and 1 exactly the source and the target.
         """
-        laid, _ = self._lay_out(t, self.area_path)
+        laid, _ = self._lay_out(t, self.area_path if self._path == "area" else None)
         shapes: NDArray[np.float64] = placed(laid, self._corners[0], *self._centres, t, self.source.points, self.target)
         return shapes
+
+    def plan(self) -> Plan:
+        """Tell what the motion is made of.
+
+        Returns
+        -------
+        Plan
+            In the leg's own time.
+        """
+        limits = self.budgets.low, self.budgets.high
+        return Plan(0.0, 1.0, 0.0, 1.0, np.copy, self.source.points, self.target, self._corners, self._path, *limits)
 
     def first_doubt(
         self, placing: Placing, stop: float = 1.0, ends: tuple[bool, bool] = (True, True)
@@ -197,7 +215,8 @@ class Leg:
         slack = np.minimum(slack[:-1], slack[1:]).T.copy()
         low, high = self._all_bounds(t)
         rows = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
-        within_budgets(low, high, rows, *self.budgets, t)
+        if len(rows):
+            within_budgets(low, high, rows, *self.budgets, t)
         return Layout(low, high, *self._base_lengths(t, None if len(rows) else self._path), slack)
 
     def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
@@ -234,14 +253,16 @@ class Leg:
         """Angles at a, b, c of every triangle in tree order along the path "area", (m, 3, k)."""
         return np.asarray(corner_angles(self._lay_out(t, path)[1]))
 
-    def _lay_out(self, t: NDArray[np.float64], path: AreaPath) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-        by_area = self._path == "area"
-        if by_area:
+    def _lay_out(
+        self, t: NDArray[np.float64], path: AreaPath | None
+    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        if path is not None:
             z = np.empty((len(self._corners), len(t)), np.complex128)
         else:
             z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
         e = root_base(self._start[0], self._end[0], self._path == "metric", t)
-        shapes = hang(self._corners, self._children, z, e, t, by_area, path, self.budgets)
+        budgets = self.budgets if np.isfinite(self.budgets.low).any() else None
+        shapes = hang(self._corners, self._children, z, e, t, path, budgets)
         return shapes, z
 
 

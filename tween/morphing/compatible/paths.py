@@ -127,7 +127,7 @@ def corner_angles(z):
     return angles
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def third_angle(x, y):
     """The angle at the third vertex x + iy over the base from 0 to 1, precise however small it is."""
     return math.atan2(y, x * (x - 1.0) + y * y)
@@ -281,7 +281,7 @@ def _piece_length(p, q, end):
     return abs(p - end) * abs(_angle(q - end) - _angle(p - end))
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _along_piece(p, q, end, share):
     if end == _LINE:
         return (1.0 - share) * p + share * q

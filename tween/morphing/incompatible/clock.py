@@ -21,6 +21,7 @@ _CLOSE_TO_END = 2.0 ** -np.arange(6.0, 36.0)
 _ROUNDS = 30  # of halving
 _UNEVEN = 0.03  # by which halves may differ, as a share of both
 _SHORT = 1e-5  # of the whole; what is shorter is not halved
+_MOST_SAMPLES = 2**16  # of a piece; one of which rounding leaves but noise gets longer the closer one looks
 _LEAST = 1e-9  # of the whole; the time of a piece that hardly moves
 _AT_ONCE = 2**20  # vertices times shapes that are looked at together
 _SAME = 1e-12  # of the whole; so close to where pieces meet, the shape is that where they meet
@@ -167,7 +168,7 @@ def _refined(
     doubtful = length > _SHORT * whole
     for _ in range(_ROUNDS):
         which = np.flatnonzero(doubtful)
-        if not len(which):
+        if not len(which) or len(share) + len(which) > _MOST_SAMPLES:
             break
         halves = _halves(piece, share[which], share[which + 1])
         share = np.insert(share, which + 1, 0.5 * (share[which] + share[which + 1]))

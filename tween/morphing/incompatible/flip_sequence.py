@@ -16,6 +16,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.geometry.growing import more_rows
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.incompatible.chord_crossings import chord_crossings, crossings_of_chord, crossings_of_chords
 from tween.triangulating.flips import flip_in_place
@@ -177,7 +178,7 @@ def _removed(triangles, twin, target, h):
     return crossings_of_chord(target, a, b) - crossings_of_chord(target, c, d)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _tournament(triangles, twin, target):
     """Binary tree over all half-edges, whose inner nodes hold the larger of their children: crossings removed by flips.
 
@@ -195,7 +196,7 @@ def _tournament(triangles, twin, target):
     return best
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _enter(triangles, twin, target, best, t):
     """Enter anew what the flips of the sides of triangle t remove."""
     for s in range(3):
@@ -209,7 +210,7 @@ def _enter(triangles, twin, target, best, t):
                 best[node] = max(best[2 * node], best[2 * node + 1])
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _winner(best):
     """The first of the half-edges whose flips remove most crossings."""
     node = 1
@@ -218,7 +219,7 @@ def _winner(best):
     return node - len(best) // 2
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _best_across(triangles, twin, side, target, p, q):
     """The same among the diagonals that cross the chord pq and whose flip does not: (half-edge, crossings removed).
 
@@ -243,7 +244,7 @@ def _best_across(triangles, twin, side, target, p, q):
     return best, most
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _opposite(triangles, twin, side, p, q):
     """The half-edge opposite p that the chord pq crosses; -1 where pq is a diagonal or a side itself."""
     n = len(side)
@@ -282,7 +283,7 @@ def _insert_all(triangles, twin, wanted, target):
             if removed <= 0:
                 h = _winner(best)
             if size == len(records):
-                records = np.concatenate((records, np.empty_like(records)))
+                records = more_rows(records)
             t, s = h // 3, h % 3
             g = twin[t, s]
             records[size, 0], records[size, 1] = t, g // 3

@@ -310,7 +310,8 @@ def _quadrilaterals(triangles, twin, rows):
     """Corners a, b, c, d around the edges that pairs of triangles, (q, 2), share; shape (q, 4)."""
     quads = np.empty((len(rows), 4), np.int64)
     for q in range(len(rows)):
-        quads[q] = quadrilateral(triangles, twin, shared_edge(twin, rows[q, 0], rows[q, 1]))
+        a, b, c, d = quadrilateral(triangles, twin, shared_edge(twin, rows[q, 0], rows[q, 1]))
+        quads[q, 0], quads[q, 1], quads[q, 2], quads[q, 3] = a, b, c, d
     return quads
 
 

@@ -8,6 +8,9 @@ Where two pieces meet, the shape is one array, at which both lists of triangles 
 get that very array.
 """
 
+from functools import partial
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,6 +21,7 @@ from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
 from tween.morphing.compatible.leg import Leg, left_below_full_turn, root_triangle
 from tween.morphing.incompatible.clock import Clock
 from tween.morphing.incompatible.flow import Event, Flow, Piece
+from tween.morphing.plan import Plan
 from tween.triangulating.compatibility import match_rows
 
 
@@ -118,3 +122,22 @@ class Through:
             if i == last == 0:
                 snaps[1] = when[1]
         return snaps[0], snaps[1]
+
+    def plans(self) -> list[Plan]:
+        """Tell what the motion is made of, piece by piece.
+
+        Returns
+        -------
+        list of Plan
+        """
+        spans = enumerate(pairwise(self._clock.starts))
+        return [
+            piece.leg.plan().timed(start, stop, partial(self._leg_time, i), (piece.start, piece.stop))
+            for (i, (start, stop)), piece in zip(spans, self._pieces, strict=True)
+        ]
+
+    def _leg_time(self, i: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The time of a piece's leg at times at which that piece runs."""
+        number, share = self._clock.places(t)
+        _, start, stop = self._pieces[i]
+        return np.asarray(start + np.where(number == i, share, np.where(number < i, 0.0, 1.0)) * (stop - start))

@@ -23,6 +23,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.geometry.growing import more_rows
 from tween.geometry.predicates import orient2d_sign, turn
 
 PIECE, STRAIGHT, ROUND = 1, 2, 3
@@ -136,11 +137,14 @@ def boundary(triangles, twin):
 def straight_lines(points):
     """Number the edges of a curve by straight line, edges that continue one another straight on alike."""
     n = len(points)
-    corner = np.array([turn(points, v - 1, v, (v + 1) % n) != 0 for v in range(n)])
-    line = np.cumsum(corner)
-    if not corner[0]:
-        line[line == 0] = line[-1]
-    return line - 1
+    line, corners = np.empty(n, np.int64), 0
+    for v in range(n):
+        corners += turn(points, v - 1, v, (v + 1) % n) != 0
+        line[v] = corners - 1  # -1 before the first corner: those edges continue the last ones
+    for v in range(n):
+        if line[v] < 0:
+            line[v] = corners - 1
+    return line
 
 
 def all_pairs(count: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
@@ -180,7 +184,7 @@ def find_chords(positions, disk, first, end, forward):
     return Chords(rows, starts[:size].copy(), ends[:size].copy(), kinds[:size].copy())
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _kind(positions, disk, p, q):
     n = len(disk.points)
     if _on_edge(positions, p, q, n):
@@ -192,7 +196,7 @@ def _kind(positions, disk, p, q):
     return STRAIGHT if _sees(positions, disk, p, q) else _NONE
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _on_edge(positions, p, q, n):
     """Whether q lies on the edge that follows p, or on which p lies, at or after p."""
     e = positions.edge[p]
@@ -201,28 +205,29 @@ def _on_edge(positions, p, q, n):
     return positions.vertex[q] == (e + 1) % n
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def shares_line(lines, p, q):
     """Whether two positions lie on one line of edges."""
-    (a, b), (c, d) = lines[p], lines[q]
+    a, b, c, d = lines[p, 0], lines[p, 1], lines[q, 0], lines[q, 1]
     return a == c or a == d or b == c or b == d
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _on_one_line(lines, i, k, j):
     """Whether three positions lie on one line of edges."""
-    for line in lines[i]:
+    for s in range(2):
+        line = lines[i, s]
         if (line == lines[k, 0] or line == lines[k, 1]) and (line == lines[j, 0] or line == lines[j, 1]):
             return True
     return False
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _side(a, b, c):
     return orient2d_sign(a[0], a[1], b[0], b[1], c[0], c[1])
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _sees(positions, disk, p, q):
     """Whether the segment from p to q runs inside the disk, its ends excepted: walk along it from p."""
     points, triangles, twin = disk.points, disk.triangles, disk.twin
@@ -253,7 +258,7 @@ def _sees(positions, disk, p, q):
     return False
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _sector(disk, h, goal, goal_vertex):
     """At a vertex, the half-edge opposite in the triangle that a segment enters; -2 where it ends there, -1 if none."""
     triangles, twin = disk.triangles, disk.twin
@@ -318,13 +323,13 @@ def _triangles(positions, chords):
                 if whole <= left or chords.kind[whole] == PIECE or not _is_triangle(positions, i, k, j):
                     continue
                 if size == len(found):
-                    found = np.concatenate((found, np.empty_like(found)))
+                    found = more_rows(found)
                 found[size, 0], found[size, 1], found[size, 2] = left, right, whole
                 size += 1
     return found[:size, 0].copy(), found[:size, 1].copy(), found[:size, 2].copy()
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _is_triangle(positions, i, k, j):
     return not _on_one_line(positions.lines, i, k, j) and turn(positions.points, i, k, j) > 0
 

@@ -25,6 +25,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.geometry.growing import longer, more_rows
 from tween.morphing.matching.chords import PIECE, ROUND, Chords, Splits
 
 
@@ -115,10 +116,8 @@ def fill(source, target, windows, stretch):
             else:
                 table = Table(offset, cost, first, last, chord, value)
                 _fill_chord(source, target, windows, e, table, matrix, via)
-            if filled + cells > len(chord):
-                chord, value = np.concatenate((chord, np.empty_like(chord))), np.concatenate((value, value))
-                while filled + cells > len(chord):
-                    chord, value = np.concatenate((chord, np.empty_like(chord))), np.concatenate((value, value))
+            while filled + cells > len(chord):
+                chord, value = longer(chord), longer(value)
             first[e] = filled
             for cell in range(cells):
                 if via[cell] >= 0:
@@ -128,7 +127,7 @@ def fill(source, target, windows, stretch):
     return Table(offset, cost, first, last, chord[:filled].copy(), value[:filled].copy())
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _fill_piece(source, target, windows, e, matrix, via, stretch):
     """A piece of an edge of S matched with pieces of edges of T."""
     i, j = source.chords.start[e], source.chords.end[e]
@@ -146,14 +145,14 @@ def _fill_piece(source, target, windows, e, matrix, via, stretch):
                     matrix[cell], via[cell] = price, f
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _price(source_arc, i, j, target_arc, a, b, stretch):
     """Price of a boundary piece: squared difference of its two shares over their sum, times `stretch`."""
     x, y = (source_arc[j] - source_arc[i]) % 1.0, (target_arc[b] - target_arc[a]) % 1.0
     return stretch * (x - y) ** 2 / (x + y) if x + y > 0.0 else 0.0
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _fill_chord(source, target, windows, e, table, matrix, via):
     """All ways to divide a state, for all states of the source chord e."""
     i, j = source.chords.start[e], source.chords.end[e]
@@ -201,7 +200,9 @@ def wholes(source, target, windows, table, stretch):
             f = table.chord[state]
             a, c = target.chords.start[f], target.chords.end[f]
             row = (a - windows.low[0]) % count
-            total = table.value[state] + _price(source.arc, chords.end[e], 0, target.arc, c, a, stretch)
+            total = table.value[state] + _price(
+                source.arc, chords.end[e], chords.start[e], target.arc, np.int64(c), a, stretch
+            )
             if total < cost[row]:
                 cost[row], found[row, 0], found[row, 1] = total, e, f
     return cost, found
@@ -219,7 +220,7 @@ def follow(source, target, windows, table, e, f):
         s, r = _divide(source, target, windows, table, e, f)
         left, right = source.splits.left[s], source.splits.right[s]
         if size == len(triangles):
-            triangles = np.concatenate((triangles, np.empty_like(triangles)))
+            triangles = more_rows(triangles)
         row = triangles[size]
         row[0], row[1], row[2] = source.chords.start[left], source.chords.end[left], source.chords.end[right]
         left_f, right_f = target.splits.left[r], target.splits.right[r]
@@ -230,7 +231,7 @@ def follow(source, target, windows, table, e, f):
     return triangles[:size].copy()
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _divide(source, target, windows, table, e, f):
     """The first split of S and of T, in the order of the table, that give a state its cost."""
     j, b = source.chords.end[e], target.chords.end[f]
@@ -253,7 +254,7 @@ def _divide(source, target, windows, table, e, f):
     return found
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _excess(S, s, T, r):
     """Symmetric Dirichlet energy of the affine map between two triangles, less twice their areas."""
     product = S.first_length[s] * T.second_length[r] + S.second_length[s] * T.first_length[r]

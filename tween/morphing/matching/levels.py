@@ -169,16 +169,38 @@ def next_level(
         None where the neighbourhood holds no common triangulation.
     """
     levels = S.level(sizes[0]), T.level(sizes[1])
-    arcs = S.arc[levels[0].kept], T.arc[levels[1].kept]
-    source = S.positions(levels[0], _images(last.to_source(arcs[1]), arcs[0], effort))
-    target = T.positions(levels[1], _images(last.to_target(arcs[0]), arcs[1], effort))
-    windows = nodes.restrict(_band(source, target, last, effort.band), source, target, levels)
+    source, target = positions_at((S, T), levels, last, effort)
+    windows = nodes.restrict(band_around(source, target, last, effort.band), source, target, levels)
     pairs = [
         near_pairs(p.arc, *nodes_of, last.triangles, last.twin, effort.steps, effort.most)
         for p, nodes_of in zip((source, target), last.places, strict=True)
     ]
     found = _solve((S, T), levels, (source, target), pairs, windows, stretch)
     return found[0] if found else None
+
+
+def positions_at(
+    shapes: tuple[Shape, Shape], levels: tuple[Level, Level], last: Correspondence, effort: Effort
+) -> tuple[Positions, Positions]:
+    """Place vertices and candidates on both curves: the images of the other's vertices, and evenly spaced places.
+
+    Parameters
+    ----------
+    shapes : (Shape, Shape)
+    levels : (Level, Level)
+        The finer level.
+    last : Correspondence
+        Of the coarser level.
+    effort : Effort
+
+    Returns
+    -------
+    (Positions, Positions)
+    """
+    arcs = [shape.arc[level.kept] for shape, level in zip(shapes, levels, strict=True)]
+    source = shapes[0].positions(levels[0], _images(last.to_source(arcs[1]), arcs[0], effort))
+    target = shapes[1].positions(levels[1], _images(last.to_target(arcs[0]), arcs[1], effort))
+    return source, target
 
 
 def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
@@ -195,8 +217,22 @@ def _images(images: _Floats, vertices: _Floats, effort: Effort) -> _Floats:
     return np.concatenate([images[near > effort.merge], _even(vertices, effort.even)])
 
 
-def _band(source: Positions, target: Positions, last: Correspondence, band: int) -> Windows:
-    """Windows around the image of every source position."""
+def band_around(source: Positions, target: Positions, last: Correspondence, band: int) -> Windows:
+    """Lay a window around the image of every source position.
+
+    Parameters
+    ----------
+    source, target : Positions
+    last : Correspondence
+        Of the coarser level.
+    band : int
+        Positions to either side of the image.
+
+    Returns
+    -------
+    Windows
+        In which nothing is said yet about what is allowed.
+    """
     start, count = target.arc[0], len(target.arc)
     ahead = (target.arc - start) % 1.0
     images = (last.to_target(source.arc) - start) % 1.0

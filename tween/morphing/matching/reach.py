@@ -12,6 +12,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.geometry.growing import longer
 from tween.morphing.matching.chords import boundary
 
 _ON_NODE = 1e-12  # of the curve's length
@@ -126,7 +127,7 @@ def _near(count, low, size, triangles, twin, across, steps, enough):
                         if met[q] != p and q != p:
                             met[q] = p
                             if filled == len(end):
-                                end = np.concatenate((end, np.empty_like(end)))
+                                end = longer(end)
                             end[filled], filled = q, filled + 1
                 elif seen[g // 3] != p and (depth[head] < steps if filled - begin < enough else depth[head] < 2):
                     seen[g // 3], queue[tail], depth[tail], tail = p, g // 3, depth[head] + 1, tail + 1
@@ -135,7 +136,7 @@ def _near(count, low, size, triangles, twin, across, steps, enough):
         t, h = queue[0], np.int64(-1)
         for _ in range(_FARTHER):
             if filled + 3 > len(end):
-                end = np.concatenate((end, np.empty_like(end)))
+                end = longer(end)
             for s in range(3):
                 q = low[triangles[t, s]] if size[triangles[t, s]] > 0 else p
                 if met[q] != p and q != p:
@@ -149,7 +150,7 @@ def _near(count, low, size, triangles, twin, across, steps, enough):
     return first, end[:filled].copy()
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _gaps_of_positions(count, low, size):
     """For every position the gaps that it lies in: two where it is a node."""
     start = np.zeros(count + 1, np.int64)

@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.pieces import next_level_in_pieces
+from tween.morphing.matching.simplify import MANY, Shape
 
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
@@ -20,7 +21,6 @@ _SAME = 1e-9  # relative: starts whose energies differ by less are the same
 _RISE = 1.25  # of the energy over all levels, above which the simplified curves stood ill for the whole
 _MORE = 2  # further attempts that are then made
 _MOST_DIVISIONS = 2  # of steps between levels in which nothing was found, in one attempt
-_LARGE = 400  # vertices from which on only the first attempts are made
 _EVEN = (1, 2, 3, 5, 8)  # candidates on every edge of small curves, one after the other until they can be matched
 _MOST_POSITIONS = 120  # on each curve, in the exact tables of small curves
 _FINE = 160  # vertices from which on images are candidates enough, and the last correspondence is good
@@ -60,6 +60,12 @@ _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
 _LIGHT = (Effort(7, 3, 0.3, 1, 60), Effort(16, 6, 0.0, 1, 100), Effort(40, 10, 0.0, 2, 200))
 _HEAVY = (Effort(24, 8, 0.0, 1, 200), Effort(40, 12, 0.0, 2, 300), Effort(64, 14, 0.0, 3, 400))
 _NARROW = (Effort(5, 5, 0.3, 0, 60), Effort(6, 5, 0.0, 0, 60), Effort(10, 7, 0.0, 1, 120))
+_IN_PIECES = (
+    Effort(4, 3, 0.2, 0, 30),
+    Effort(6, 5, 0.0, 0, 60),
+    Effort(16, 6, 0.0, 1, 100),
+    Effort(40, 10, 0.0, 2, 200),
+)
 _ATTEMPTS = (
     Attempt(24, 1, 0.0, 4, _LIGHT),
     Attempt(32, 1, 0.0, 4, _LIGHT),
@@ -189,7 +195,7 @@ def _rank(found: Found) -> tuple[bool, int, float]:
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
     """The ladder: of small curves exact tables first, with more and more candidates, then simplified ones."""
     most = max(n, m)
-    if most > _LARGE:
+    if most > MANY:
         return [attempt._replace(starts=2) for attempt in _ATTEMPTS[:2]]
     if most > SMALL:
         return [attempt for attempt in _ATTEMPTS if attempt.first < most or attempt.first == SMALL]
@@ -259,6 +265,8 @@ def _climb(
     stretch: float,
 ) -> Correspondence | None:
     """One level, with more and more effort until it can be matched."""
+    if max(sizes) > _FINE and max(len(S), len(T)) > MANY:
+        return next_level_in_pieces(S, T, sizes, last, nodes, _IN_PIECES)
     for effort in attempt.efforts if max(sizes) <= _FINE else _NARROW:
         finer = next_level(S, T, sizes, last, nodes, effort, stretch)
         if finer is not None:

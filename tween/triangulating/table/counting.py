@@ -138,7 +138,8 @@ def _in_floats(points, first, last, ends):
     mantissas, exponents = np.empty(len(ends)), np.empty(len(ends), np.int64)
     sums, tops = np.empty(n), np.empty(n, np.int64)
     for i in range(n - 2, -1, -1):
-        sums[i + 1 :], tops[i + 1 :] = 0.0, 0
+        for j in range(i + 1, n):
+            sums[j], tops[j] = 0.0, 0
         sums[i + 1] = 1.0
         for left in range(first[i], last[i]):
             k = ends[left]
@@ -155,7 +156,7 @@ def _in_floats(points, first, last, ends):
     return mantissas[last[0] - 1], exponents[last[0] - 1]
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _scaled(mantissa, exponent):
     """The same number with a mantissa that is neither large nor small."""
     if mantissa >= _LARGE:
@@ -165,7 +166,7 @@ def _scaled(mantissa, exponent):
     return mantissa, exponent
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _added(total, top, term, exponent):
     """The sum of two scaled numbers; what is 2**-512 of the other is left out."""
     if total == 0.0 or exponent > top + 1:

@@ -78,7 +78,7 @@ def delaunay_triangles(points, ends, first, apex, left, right, counts, whole, nu
                     break
                 rank -= counts[s]
             s += 1
-        triangles[t] = i, apex[s], j
+        triangles[t, 0], triangles[t, 1], triangles[t, 2] = i, apex[s], j
         t += 1
         ways = _beyond(points, ends, first, apex, counts, left[s], j)
         # a number of two digits: the remainder chooses on the left, the quotient on the right

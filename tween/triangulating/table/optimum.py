@@ -37,7 +37,7 @@ def follow(whole, ends, apex, left, right, best, count):
         pair = stack[size]
         s = best[pair]
         if s >= 0:  # else an edge of the curve
-            chosen[t] = ends[pair, 0], apex[s], ends[pair, 1]
+            chosen[t, 0], chosen[t, 1], chosen[t, 2] = ends[pair, 0], apex[s], ends[pair, 1]
             t += 1
             stack[size], stack[size + 1] = right[s], left[s]
             size += 2

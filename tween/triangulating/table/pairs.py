@@ -12,10 +12,11 @@ vertices two thirds of the pairs.
 import numpy as np
 from numba import njit
 
+from tween.geometry.growing import longer
 from tween.geometry.predicates import orient2d_sign, turn
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def left_turn(points, i, k, j):
     """Whether i, k, j is a left turn in every curve."""
     for c in range(points.shape[0]):
@@ -24,7 +25,7 @@ def left_turn(points, i, k, j):
     return True
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _reflex(points):
     """Whether the turn at each vertex of each curve is a right turn, shape (c, n)."""
     curves, n = points.shape[:2]
@@ -74,12 +75,11 @@ def find_pairs(points, most):
             if decided_for[k] != i or not holds[k]:
                 continue
             if size == ends.size:
-                # twice as long each time, so that moving costs O(1) an entry in all
-                ends = np.concatenate((ends, np.empty_like(ends)))
+                ends = longer(ends)
             ends[size] = k
             size += 1
             for place in range(first[k], last[k]):
-                j = ends[place]
+                j = np.int64(ends[place])
                 if decided_for[j] == i:
                     continue
                 if orient2d_sign(x[k], y[k], x[j], y[j], x[i], y[i]) > 0 if single else left_turn(points, i, k, j):
@@ -90,14 +90,14 @@ def find_pairs(points, most):
                         _leaves_inwards(points, reflex, i, j) and _leaves_inwards(points, reflex, j, i)
                     )
                     if holds[j]:
-                        farthest = max(farthest, j)
+                        farthest = max(farthest, int(j))
         last[i] = size
         if size > most:  # the caller sees it by the length of ends
             break
     return first, last, ends[:size].copy()
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def find_pair(first, last, ends, i, j):
     """The place of pair (i, j) in the table, -1 where it does not hold."""
     low, high = first[i], last[i]  # rows are ascending
@@ -124,7 +124,7 @@ def walk(points, first, last, ends, n, take_last):
             k = np.int64(ends[high - 1 - step] if take_last else ends[low + step])
             if k < j and find_pair(first, last, ends, k, j) >= 0 and left_turn(points, i, k, j):
                 break
-        triangles[t] = i, k, j
+        triangles[t, 0], triangles[t, 1], triangles[t, 2] = i, k, j
         stack.append((k, j))
         stack.append((i, k))
     return triangles
@@ -135,7 +135,7 @@ def needed_pairs(points, first, last, ends, pairs):
     """Mark the pairs that a triangulation of the whole curve can need, parents before children."""
     n = points.shape[1]
     needed = np.zeros(len(pairs), np.bool_)
-    needed[find_pair(first, last, ends, 0, n - 1)] = True
+    needed[find_pair(first, last, ends, np.int64(0), np.int64(n - 1))] = True
     total = 0
     # rows of larger i come first, and rows ascend: (i, k) and (k, j) stand before (i, j)
     for pair in range(len(pairs) - 1, -1, -1):

@@ -290,7 +290,8 @@ def vertex_sums(corners, angles, n):
     sums = np.zeros((n, angles.shape[2]))
     for i in range(len(corners)):
         for s in range(3):
-            sums[corners[i, s]] += angles[i, s]
+            for f in range(angles.shape[2]):
+                sums[corners[i, s], f] += angles[i, s, f]
     return sums
 
 

@@ -123,7 +123,7 @@ def reach(y0, y1, slow, fast, dt):
     return low, high
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _heights(t0, t1, areas, u0, u1, near, far, v):
     """The interval of the height over a base of length 1, and that of the relative growth of the area."""
     area0, area1 = (1 - t0) * areas[0] + t0 * areas[1], (1 - t1) * areas[0] + t1 * areas[1]
@@ -149,7 +149,7 @@ def _cubic_range(c, t0, t1):
     return min(p, r), max(q, s)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _cubic_rates(c, t0, t1):
     d = np.array([c[1] - c[0], c[2] - c[1], c[3] - c[2]])
     low, high = math.inf, -math.inf
@@ -187,7 +187,7 @@ def _third_at_most(x, y):
     return third_angle(0.5 + math.copysign(max(abs(x - 0.5) - _FOOT_ERROR, 0.0), x - 0.5), y)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _rates_of_angles(i, f, rises, turn, low, high, slow, fast):
     """The rates of a, b and c from those of ln h and of d."""
     sa, sb = _sine_range(low[i, 0, f], high[i, 0, f]), _sine_range(low[i, 1, f], high[i, 1, f])
@@ -210,7 +210,7 @@ def _weights(r):
     return p, 0.5 if r[0] <= 1.0 <= r[1] else q
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _mix(i, f, t0, t1, weight, first, last, low, high, slow, fast):
     """Blend the bounds with those of the path "angle"."""
     for s in range(3):
@@ -224,7 +224,7 @@ def _mix(i, f, t0, t1, weight, first, last, low, high, slow, fast):
         slow[i, s, f], fast[i, s, f] = (1.0 - weight) * slow[i, s, f] + rate, (1.0 - weight) * fast[i, s, f] + rate
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _pass_on(i, s, f, child, dt, v, growth, turn, blend, a, b, c, slow, fast, logs, rates, near, far):
     """What is known of the length of a child's base: bc for s = 0, ca for s = 1, ab for s = 2."""
     if s == 2:

@@ -194,7 +194,7 @@ def cut(start: float, end: float) -> NDArray[np.float64]:
     return np.stack([knots[:-1], knots[1:]], axis=1)
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _sines(low, high):
     """The least and the greatest sine of an angle within bounds."""
     low, high = max(low - _ANGLE_ERROR, 0.0), min(high + _ANGLE_ERROR, math.pi)
@@ -226,7 +226,7 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
     return found
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights, sines):
     """Carry lengths and errors down the tree; least heights and some sines too, and bounds of the total area."""
     least, greatest = 0.0, 0.0
@@ -257,12 +257,12 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
     return least, greatest
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _spend(corners, children, f, near, errors, edges, sines, spent):
     """Add up what each vertex needs: the turns of its boundary edges, and the roundings of its angles."""
     for i in range(len(corners)):
-        a, b, c = corners[i]
-        a0, b1 = sines[i]  # the least sine of a, the greatest of b
+        a, b, c = corners[i, 0], corners[i, 1], corners[i, 2]
+        a0, b1 = sines[i, 0], sines[i, 1]  # the least sine of a, the greatest of b
         of_z = _ANGLE_ERROR * (2.0 + (b1 / a0 if a0 > 0.0 else math.inf))
         spent[a] += 2.0 * _ANGLE_ERROR
         spent[b] += of_z
@@ -277,7 +277,7 @@ def _spend(corners, children, f, near, errors, edges, sines, spent):
                 spent[q] += turn
 
 
-@njit(cache=True)
+@njit(cache=True, inline="always")
 def _judge(corners, heights, errors, spent, slack, f, found):
     """Write down the triangle that is too low, or else the vertex that has too little left."""
     for i in range(len(corners)):
