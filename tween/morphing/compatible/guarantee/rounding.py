@@ -261,8 +261,8 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
 def _spend(corners, children, f, near, errors, edges, sines, spent):
     """Add up what each vertex needs: the turns of its boundary edges, and the roundings of its angles."""
     for i in range(len(corners)):
-        a, b, c = corners[i]
-        a0, b1 = sines[i]  # the least sine of a, the greatest of b
+        a, b, c = corners[i, 0], corners[i, 1], corners[i, 2]
+        a0, b1 = sines[i, 0], sines[i, 1]  # the least sine of a, the greatest of b
         of_z = _ANGLE_ERROR * (2.0 + (b1 / a0 if a0 > 0.0 else math.inf))
         spent[a] += 2.0 * _ANGLE_ERROR
         spent[b] += of_z
