@@ -71,7 +71,6 @@ def side_by_side(ax: Axes, m: Morph) -> float:
     x, place = 0.0, places(m.source)
     shapes_then = m.at(TIMES)
     gap = GAP * float(np.ptp(shapes_then[0], axis=0).max())
-    below = -float(np.ptp(shapes_then[..., 1], axis=1).max()) / 2 - gap / 3
     for number, (t, points) in enumerate(zip(TIMES, shapes_then, strict=True)):
         moved = points - [points[:, 0].min() - x, (points[:, 1].min() + points[:, 1].max()) / 2]
         draw_layers(ax, Triangulation(moved, m.triangles_at(t)), place, bottom(m), outline=0.7)
@@ -79,7 +78,7 @@ def side_by_side(ax: Axes, m: Morph) -> float:
             px, py = moved[m.alignment.pivot]
             ax.scatter(px, py, s=10, color=draw.PIVOT, linewidths=0, zorder=5)
         end = moved[:, 0].max()
-        ax.text((x + end) / 2, below, time_label(t), ha="center", va="top", fontsize=7)
+        ax.text((x + end) / 2, moved[:, 1].min() - gap / 3, time_label(t), ha="center", va="top", fontsize=7)
         x = end + gap
     ax.autoscale_view()
     return x
