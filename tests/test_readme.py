@@ -61,13 +61,18 @@ def words() -> str:
 
 
 def test_the_verdicts_are_counted_as_in_the_table() -> None:
-    verdict = result("claims")["verdict"].value_counts()
+    ledger = result("claims")
+    claims, questions = (ledger[ledger["kind"] == kind] for kind in ("claim", "open question"))
+    verdict, printed = claims["verdict"].value_counts(), claims["as_printed"].value_counts()
     held, conditional, unseen, failed = (
         verdict[v] for v in ("holds", "holds under a condition", "no difference seen", "fails")
     )
     told = f"{held} hold, {conditional} hold under a condition, {failed} fail, and for {unseen} no difference is seen"
     assert told in words()
-    assert "Forty-two statements" in README and verdict.sum() == 42
+    assert f"as printed {printed['holds']} hold and {len(claims) - printed['holds']} do not" in words()
+    assert "Thirty-nine claims" in README and verdict.sum() == 39
+    assert sorted(questions["verdict"]) == ["holds", "holds", "holds under a condition"]
+    assert "three open questions are judged alike: two hold, one holds under a condition" in words()
 
 
 def test_what_the_measures_go_with_is_told_as_it_is() -> None:
