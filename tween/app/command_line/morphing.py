@@ -55,11 +55,15 @@ def morph(options: Options) -> int:
         write(m)
     if certificate is not None:
         print(certificate)
-    flips = f"{len(m.events) or 'no'} flip{'' if len(m.events) == 1 else 's'}"
-    print(
-        f"wrote {options.output}: {_count(options, m)} of {len(m.source)} vertices, {flips}, {_trust(m, certificate)}"
-    )
+    words = f"{_count(options, m)} of {len(m.source)} vertices, {_flips(m)}, {_trust(m, certificate)}"
+    print(f"wrote {options.output}: {words}")
     return 0 if certificate is None or certificate.valid else 1
+
+
+def _flips(m: Morph) -> str:
+    """How many flips there are on the way; the diagonals that change at a keyframe, where nothing moves, are none."""
+    flips = sum(len(leg.events) for leg in m.legs) if isinstance(m, Sequence) else len(m.events)
+    return f"{flips or 'no'} flip{'' if flips == 1 else 's'}"
 
 
 def _usual_frames(m: Morph) -> int:
