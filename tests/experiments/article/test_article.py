@@ -6,6 +6,7 @@ import tomllib
 import pandas as pd
 import pytest
 
+import experiments.claims.measure  # noqa: F401  its sections fill the ledger
 from experiments.article.__main__ import SOURCE, article
 from experiments.article.clauses import CLAUSES
 from experiments.article.numbers import numbers, pinned
