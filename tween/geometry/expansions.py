@@ -6,7 +6,7 @@ and these are added to an expansion one by one.  That takes more operations than
 and much less code.
 
 The two signs are compiled once, each to a native function with a name, and kernels call them by these names: what is
-compiled into every kernel that takes a sign is the test in doubles of `.predicates` alone.  With numba's
+compiled into every kernel that takes a sign is the test in doubles of `tween.geometry.predicates` alone.  With numba's
 compilation switched off they are plain functions.
 
 Legend: ``a b c d`` points; ``e`` an expansion, the first ``size`` numbers of an array; ``hi lo`` a rounded value and

@@ -58,7 +58,8 @@ def kernels_used_by_python() -> set[str]:
 @pytest.mark.skipif(numba.config.DISABLE_JIT, reason="nothing is compiled")
 def test_every_kernel_is_compiled_by_one_of_the_tasks() -> None:
     done = subprocess.run([sys.executable, "-c", CALLED], capture_output=True, text=True, check=True)
-    expected = kernels_used_by_python()
+    # the signs without rounding are native functions, compiled with all that they use when their module is imported
+    expected = {name for name in kernels_used_by_python() if not name.startswith("tween.geometry.expansions ")}
     assert len(expected) > 30
     assert expected - set(done.stdout.splitlines()) == set()
 

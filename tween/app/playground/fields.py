@@ -117,9 +117,10 @@ def explained(explanation: Explanation, placement: Placement) -> dict[str, Any]:
 
     Examples
     --------
+    >>> import numpy as np
     >>> from tween import decompose
-    >>> eight = decompose([[0, 0], [4, 4], [4, 0], [0, 3]])
-    >>> seen = explained(eight.explain(), fitting(eight.curve.points))
+    >>> points = np.array([[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 3.0]])
+    >>> seen = explained(decompose(points).explain(), fitting(points))
     >>> len(seen["lost"]), seen["advice"]
     (1, 'Without the dashed loop it bounds one; 46 % of the area is lost.')
     """

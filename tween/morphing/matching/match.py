@@ -3,7 +3,8 @@ r"""Matching two shapes: the best correspondence and the best common triangulati
 A *match* gives both curves the same vertices and the same triangles: every vertex of either curve, and points inserted
 on the edges of one opposite vertices of the other.  Of all correspondences, insertions among candidates and
 triangulations it takes those of least energy: exactly, by one table, on curves of few vertices (`.kernels`);
-level by level from simplified curves on others (`.levels`), large ones piece by piece (`.pieces`).
+level by level from simplified curves on others (`.levels`), large ones piece by piece
+(`tween.morphing.matching.pieces`).
 
 The energy of the map between the shapes is the symmetric Dirichlet energy, both scaled to area 1.  Of a triangle of
 area A mapped affinely to one of area B, with singular values in the ratio k, it is (A + B) (k + 1/k).  So 4 is the
@@ -114,8 +115,9 @@ def match(
     Up to 24 vertices each, one table decides and the answer is `exact`; where it finds nothing, more candidates are
     tried.  Larger curves are simplified first and refined level by level, in proportion to their vertices.  The energy
     does not depend on where the curves start, on their places, sizes and directions, or on which is the source.
-    Two curves of 100 vertices take less than a second.  Those of more than 400 are refined piece by piece (`.pieces`),
-    so that time and memory are proportional to their vertices: 4 to 25 s and 300 MB for two smooth ones of 10,000.
+    Two curves of 100 vertices take less than a second.  Those of more than 400 are refined piece by piece
+    (`tween.morphing.matching.pieces`), so that time and memory are proportional to their vertices: 4 to 25 s and
+    300 MB for two smooth ones of 10,000.
 
     Examples
     --------
