@@ -122,7 +122,7 @@ def explained(explanation: Explanation, placement: Placement) -> dict[str, Any]:
     >>> points = np.array([[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 3.0]])
     >>> seen = explained(decompose(points).explain(), fitting(points))
     >>> len(seen["lost"]), seen["advice"]
-    (1, 'Without the dashed loop it bounds one; 46 % of the area is lost.')
+    (1, 'Without the dashed loop it bounds one; 36 % of the area is lost.')
     """
     turning = explanation.curve.turning_number
     surplus = [loop.points for loop in explanation.loops if (loop.area > 0) == (turning > 1)] if turning != 1 else []

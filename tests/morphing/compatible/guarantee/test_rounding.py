@@ -69,7 +69,10 @@ def test_an_end_serves_for_times_so_close_that_nothing_moves():
     assert isinstance(doubt(layout, moves=lambda start, end: 1.0), Doubt)
 
 
-@pytest.mark.parametrize(("start", "end"), [(0.0, 1.0), (0.25, 0.5), (0.0, 2.0**-20), (1 - 2.0**-20, 1.0)])
+@pytest.mark.parametrize(
+    ("start", "end"),
+    [(0.0, 1.0), (0.25, 0.5), (0.0, 2.0**-20), (1 - 2.0**-20, 1.0), (1 - 9 * 2.0**-53, 1.0), (1 - 2.0**-52, 1.0)],
+)
 def test_parts_of_an_interval_cover_it(start, end):
     parts = cut(start, end)
     assert parts[0, 0] == start and parts[-1, 1] == end

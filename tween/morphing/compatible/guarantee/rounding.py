@@ -182,7 +182,8 @@ def cut(start: float, end: float) -> NDArray[np.float64]:
 
     Returns
     -------
-    ndarray of float64, shape (4, 2)
+    ndarray of float64, shape (p, 2)
+        Four, or fewer where there are not enough doubles between start and end.
     """
     share = np.linspace(0.0, 1.0, _PARTS + 1)
     if start == 0.0:
@@ -191,7 +192,8 @@ def cut(start: float, end: float) -> NDArray[np.float64]:
         share = 1.0 - np.array([1.0, 2.0**-2, 2.0**-4, 2.0**-6, 0.0])
     knots = start + share * (end - start)
     knots[-1] = end
-    return np.stack([knots[:-1], knots[1:]], axis=1)
+    parts = np.stack([knots[:-1], knots[1:]], axis=1)
+    return parts[parts[:, 0] < parts[:, 1]]
 
 
 @njit(cache=True, inline="always")
