@@ -108,7 +108,9 @@ class Slider:
         """The picture above its slider and a button that plays it, an `ipywidgets.VBox`."""
         import ipywidgets
 
-        picture = ipywidgets.Image(value=self.picture(0), format="png")
+        picture = ipywidgets.Image(
+            value=self.picture(0), format="png", layout={"align_self": "flex-start", "max_width": "100%"}
+        )
         last = len(self._film.times) - 1
         moment = ipywidgets.IntSlider(max=last, readout=False, description="t", layout={"width": "24em"})
         play = ipywidgets.Play(max=last, interval=round(1000 / self._film.fps))
