@@ -114,8 +114,8 @@ def write_above(part: SubFigure, text: str) -> None:
 
 
 def scale_label(scale: float) -> str:
-    """A scale to two digits; nothing where it is that of the source, or nearly."""
-    return "" if abs(scale - 1) < 0.05 else f"  × {scale:.2g}"
+    """A scale to two digits, zeros too; nothing where it is that of the source, or nearly."""
+    return "" if abs(scale - 1) < 0.05 else f"  × {scale:#.2g}".rstrip(".")
 
 
 def time_label(t: float) -> str:

@@ -156,14 +156,16 @@ def draw_flow(part: SubFigure, end: int, finish: str) -> None:
     """The moments of one flow side by side, the shape before all flips first."""
     f, letter, shape = flow(PAIR, end), "uv"[end], PAIR.split("_to_")[end]
     known, shown = f.start, panels(f)
-    axes = part.subplots(1, 1 + len(shown))
+    axes = part.subplots(1, 1 + max(len(panels(flow(PAIR, other))) for other in (0, 1)))
+    for ax in axes[1 + len(shown) :]:
+        ax.set_axis_off()
     draw_diagonals(axes[0], f.start, f.start)
     axes[0].set_title(f"{letter} = 0\nbefore all flips", fontsize=8)
-    for ax, (state, flips) in zip(axes[1:], shown, strict=True):
+    for ax, (state, flips) in zip(axes[1:], shown, strict=False):
         draw_diagonals(ax, state.after, known)
-        ax.set_title(f"{letter} = {state.time:.3g}\n{flips} flips", fontsize=8)
+        ax.set_title(f"{letter} = {state.time:.3f}\n{flips} flips", fontsize=8)
         known = state.after
-    for ax, T in zip(axes, (f.start, *(moment.state.after for moment in shown)), strict=True):
+    for ax, T in zip(axes, (f.start, *(moment.state.after for moment in shown)), strict=False):
         fit(ax, T.points)
     write_above(part, f"The {shape} flows to its disk: {len(f.events)} flips, the last at {finish}")
 

@@ -33,8 +33,8 @@ def by_section(claims: pd.DataFrame) -> dict[str, pd.DataFrame]:
 @drawing(
     "verdicts",
     "ours",
-    """The verdict on each claim of the paper, by section.  The ledger has the claims in full, with their rules and
-    numbers.""",
+    """The verdict on each claim of the paper, and on our answers to its open questions, by section.  The ledger
+    has the claims in full, with their rules and numbers.""",
 )
 def verdicts() -> Figure:
     """Four columns of names, a mark before each."""
@@ -51,7 +51,8 @@ def verdicts() -> Figure:
 
 
 def _column(ax: Axes, group: pd.DataFrame) -> None:
-    for y, (label, verdict) in enumerate(zip(group.id, group.verdict, strict=True)):
+    names = group.id.str.replace("-", " ") + group.kind.map({"open question": " (open question)"}).fillna("")
+    for y, (label, verdict) in enumerate(zip(names, group.verdict, strict=True)):
         ax.plot(0, -y, **MARKS[verdict])
-        ax.text(0.05, -y, label.replace("-", " "), va="center", fontsize=8.5)
+        ax.text(0.05, -y, label, va="center", fontsize=8.5)
     ax.set_axis_off()

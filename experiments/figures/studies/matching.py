@@ -32,7 +32,7 @@ LABELS = {
     "as_rigid_as_possible_matched": "as rigid as possible",
 }
 PANELS = {"AR_1e-4": "AR at 1e-4", "Var": "Var", "swelling": "swelling", "path_length": "path length"}
-TICKS = {"Var": [1e-10, 1e-5, 1], "swelling": [1, 10, 100], "path_length": [0.3, 1, 3, 10]}
+TICKS = {"Var": [1e-10, 1], "swelling": [1, 10, 100], "path_length": [0.3, 1, 3, 10]}
 
 
 @drawing(

@@ -58,7 +58,8 @@ def correlations(ax: Axes) -> None:
     table = pd.read_csv(RESULTS / "quality.csv").set_index(["scope", "quality", "measure"])
     y, ticks = 0.0, {}
     for scope, qualities in SCOPES.items():
-        ax.text(-1.05, y - 0.75, scope, fontsize=7.5, style="italic", va="center")
+        beside = {"facecolor": "white", "edgecolor": "none", "pad": 1}  # the line at 0 does not run through the words
+        ax.text(-1.05, y - 0.75, scope, fontsize=7.5, style="italic", va="center", bbox=beside)
         for quality in qualities:
             for shift, (measure, color) in zip((-0.14, 0.14), COLORS.items(), strict=True):
                 if (scope, quality, measure) in table.index:

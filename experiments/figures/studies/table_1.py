@@ -191,7 +191,7 @@ def _as_many(ax: Axes, x: "pd.Series[float]", y: "pd.Series[float]", factors: Se
     for factor in factors:
         end = 0.96 * min(x_end, y_end / factor)
         ax.plot([0, end], [0, factor * end], color="0.8", linewidth=0.8, zorder=0)
-        ax.annotate(f"x{factor:g}", (end, factor * end), (2, -1), textcoords="offset points", fontsize=7, color="0.45")
+        ax.annotate(f"×{factor:g}", (end, factor * end), (2, -1), textcoords="offset points", fontsize=7, color="0.45")
     places, counts = np.unique(np.stack([x, y], axis=1), axis=0, return_counts=True)
     ax.scatter(places[:, 0], places[:, 1], s=9 * counts, color=draw.SOURCE, linewidths=0)
     ax.set(xlim=(0, x_end), ylim=(0, y_end))
