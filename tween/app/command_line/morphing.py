@@ -20,6 +20,7 @@ from tween.morphing.morph import Morph
 from tween.morphing.sequence import Sequence
 from tween.morphing.sequence import sequence as sequence_of
 from tween.morphing.strategy import morph as morph_between
+from tween.plural import counted
 from tween.triangulating.decomposition import decompose
 from tween.triangulating.decomposition import triangulate as delaunay
 
@@ -63,7 +64,7 @@ def morph(options: Options) -> int:
 def _flips(m: Morph) -> str:
     """How many flips there are on the way; the diagonals that change at a keyframe, where nothing moves, are none."""
     flips = sum(len(leg.events) for leg in m.legs) if isinstance(m, Sequence) else len(m.events)
-    return f"{flips or 'no'} flip{'' if flips == 1 else 's'}"
+    return counted(flips, "flip")
 
 
 def _usual_frames(m: Morph) -> int:

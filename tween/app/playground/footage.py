@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from tween.app.playground.fields import fitting
-from tween.app.playground.hand_drawn import many
 from tween.geometry.dual_tree import along_longest_path
 from tween.geometry.triangulation import Triangulation
 from tween.measuring.certificate import Certificate, certify
@@ -17,6 +16,7 @@ from tween.measuring.metrics import angle_sums, area_matrix, area_rank
 from tween.morphing.compatible.leg import root_triangle
 from tween.morphing.morph import Morph
 from tween.plot.shapes import identity_colors
+from tween.plural import counted
 
 FRAMES = 81
 
@@ -101,7 +101,7 @@ def _promise(m: Morph, certificate: Certificate, guarantee: bool) -> str:
         rule = failure.rule.partition(":")[0]
         return f"Bounds no disk at t = {failure.t:.3f}: {rule}.{advice}"
     between = "and between them every instant of playback"
-    flips = many(len(m.events), "flip").capitalize()
+    flips = counted(len(m.events), "flip").capitalize()
     rank = area_rank(area_matrix(m, FRAMES), rtol=1e-4)
     checked = f"Every shape bounds a disk: {certificate.frames_checked} were checked exactly, {between}."
     return f"{checked} {flips}; area rank {rank} at 1e-4."

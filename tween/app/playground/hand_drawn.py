@@ -15,6 +15,7 @@ from tween.app.playground.fields import BOX, Placement, fitting
 from tween.errors import CurveError
 from tween.gallery.generators import evenly, on_grid
 from tween.geometry.curve import Curve, as_curve
+from tween.plural import counted
 from tween.triangulating.decomposition import Decomposition, decompose
 from tween.triangulating.repair.explanation import Explanation
 
@@ -165,7 +166,7 @@ def judge(
 
 
 def _bounds(curve: Curve, answer: Decomposition, brief: bool) -> str:
-    facts = [f"{len(curve)} vertices", many(len(curve.crossings), "crossing")]
+    facts = [f"{len(curve)} vertices", counted(len(curve.crossings), "crossing")]
     if len(curve) <= MOST_COUNTED and not brief:
         facts.append(f"{_roughly(answer.count)} triangulations")
     return f"Bounds an immersed disk. {', '.join(facts)}."
@@ -185,24 +186,3 @@ def _roughly(count: int) -> str:
         return str(count)
     digits, power = f"{count:.1e}".split("e+")
     return f"{digits} × 10{str(int(power)).translate(_RAISED)}"
-
-
-def many(count: int, name: str) -> str:
-    """Count things in words.
-
-    Parameters
-    ----------
-    count : int
-    name : str
-        Of one of them.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> many(0, "flip"), many(1, "flip"), many(2, "flip")
-    ('no flips', '1 flip', '2 flips')
-    """
-    return f"{count} {name}" if count == 1 else f"{count or 'no'} {name}s"

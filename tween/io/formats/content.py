@@ -65,24 +65,3 @@ class Content(NamedTuple):
     outlines: list[Outline]
     unused: list[str]
     marks: dict[str, tuple[float, float]]
-
-
-def counted(number: int, name: str) -> str:
-    """Write a number of things.
-
-    Parameters
-    ----------
-    number : int
-    name : str
-        Of one of them.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> counted(1, "image"), counted(2, "image")
-    ('1 image', '2 images')
-    """
-    return f"{number} {name}{'' if number == 1 else 's'}"

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tween.errors import FileError
-from tween.io.formats.content import Content, Outline, counted
+from tween.io.formats.content import Content, Outline
+from tween.plural import counted
 
 _LINES, _AREAS = ("LineString", "MultiLineString"), ("Polygon", "MultiPolygon")
 _NAMING = ("name", "id")  # of a feature's properties, where it has no id

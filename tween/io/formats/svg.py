@@ -17,8 +17,9 @@ from defusedxml.ElementTree import iterparse
 from numpy.typing import NDArray
 
 from tween.errors import FileError
-from tween.io.formats.content import Content, Outline, Pen, counted
+from tween.io.formats.content import Content, Outline, Pen
 from tween.io.formats.svg_path import MOST_POINTS, checked, flattened, numbers, polygon, rectangle
+from tween.plural import counted
 
 MOST_ELEMENTS = 100_000
 """Elements that a drawing may hold; those that `use` repeats count each time."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tween.geometry.curve import Curve
 from tween.geometry.faces import Face, faces
+from tween.plural import counted
 from tween.triangulating.repair.loops import Meetings, meetings, signed_area, simple_loops, split
 from tween.triangulating.repair.mending import Mending, Suggestion, in_words, mend
 
@@ -97,7 +98,7 @@ class Explanation:
         if self.negative:
             where = _listed([f"{self._at(face.place)} ({face.winding})" for face in self.negative])
             sense = "clockwise" if self.negative[0].winding < 0 else "against its main sense"
-            yield f"It winds {sense} about {_many(len(self.negative), 'region')}: at {where}."
+            yield f"It winds {sense} about {counted(len(self.negative), 'region')}: at {where}."
         for number, suggestion in enumerate(self.suggestions, 1):
             yield f"{number}. {suggestion.text}: {_percent(suggestion.share)} of the area is lost."
         if not self.suggestions:
@@ -105,11 +106,13 @@ class Explanation:
         yield from (f"Not looked at: {words}." for words in self.unseen)
 
     def _crossings_line(self) -> str:
-        line = f"It meets itself {_many(self.crossings, 'time')}"
+        line = f"It meets itself {counted(self.crossings, 'time')}"
         if not self.tiny:
             return line + ", with no tiny loops."
         places = _listed([self._at(loop.place) for loop in self.tiny])
-        return f"{line}, and {_many(len(self.tiny), 'loop')} {'are' if len(self.tiny) > 1 else 'is'} tiny: at {places}."
+        return (
+            f"{line}, and {counted(len(self.tiny), 'loop')} {'are' if len(self.tiny) > 1 else 'is'} tiny: at {places}."
+        )
 
     def _at(self, place: tuple[float, float] | _Floats) -> str:
         return in_words(place, float(np.ptp(self.curve.points, axis=0).max()))
@@ -117,7 +120,7 @@ class Explanation:
     def _turning_line(self) -> str:
         left = sum(loop.area > 0 for loop in self.loops)
         right = len(self.loops) - left
-        turns = f"Its turning number is {self.curve.turning_number}: {_many(left, 'loop')} counter-clockwise"
+        turns = f"Its turning number is {self.curve.turning_number}: {counted(left, 'loop')} counter-clockwise"
         turns += f" less {right} clockwise" if right else ""
         surplus = [loop for loop in self.loops if (loop.area > 0) == (self.curve.turning_number > 1)]
         return f"{turns}; the smallest of them at {self._at(surplus[0].place)}." if surplus else turns + "."
@@ -224,7 +227,3 @@ def _listed(words: list[str]) -> str:
 
 def _percent(share: float) -> str:
     return f"{round(100 * share)} %" if share >= 0.01 else "less than 1 %"
-
-
-def _many(number: int, name: str) -> str:
-    return f"{number} {name}{'' if number == 1 else 's'}"
