@@ -202,6 +202,16 @@ def test_the_energy_depends_on_no_start_no_similarity_and_no_order(pair, rng):
     assert match(p, similar(q, rng)).energy == pytest.approx(a.energy, rel=1e-9)
 
 
+@pytest.mark.parametrize("exponent", [-190, -70, 70, 190])
+def test_powers_of_two_change_no_bit_of_a_match(exponent):
+    source, target = gallery.pair("arrow_to_horseshoe")
+    plain = match(source, target)
+    scaled = match(source.points * 2.0**exponent, target.points * 2.0**exponent)
+    assert scaled.energy == plain.energy
+    assert np.array_equal(scaled.source.points, plain.source.points * 2.0**exponent)
+    assert np.array_equal(scaled.target.points, plain.target.points * 2.0**exponent)
+
+
 def test_the_match_the_other_way_is_the_same_match(pair):
     p, q = pair
     a, b = match(p, q), match(q, p)

@@ -87,8 +87,9 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_], sharp
     """
     triangles, twin = T.triangles.copy(), T.twin.ravel().copy()
     wanted = np.array(sizes, dtype=np.int64)
-    weights = (2.0 * sharpness * float(T.areas.sum()), _SPACING if len(T) > MANY else 0.0)
-    kept, lists, counts = _simplify(T.points, triangles, twin, fixed, wanted, weights)
+    unit = 2.0 ** -np.frexp(np.ptp(T.points, axis=0).max())[1]  # single precision has no room for areas of any size
+    weights = (2.0 * sharpness * float(T.areas.sum()) * unit * unit, _SPACING if len(T) > MANY else 0.0)
+    kept, lists, counts = _simplify(T.points * unit, triangles, twin, fixed, wanted, weights)
     levels = []
     for vertices, rows, count in zip(kept, lists, counts, strict=True):
         levels.append(Level(np.flatnonzero(vertices), np.cumsum(vertices)[rows[: count - 2]] - 1))
