@@ -184,12 +184,12 @@ def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: 
     return best
 
 
-def _rank(found: Found) -> tuple[bool, int, float]:
+def _rank(found: Found) -> tuple[bool, int, int]:
     """Complete before incomplete; of those by energy, of these by the vertices that they reach."""
     if not found.levels:
-        return False, 0, 0.0
+        return False, 0, 0
     reached = 0 if found.complete else sum(found.levels[-1][:2])
-    return found.complete, reached, -found.levels[-1][2]
+    return found.complete, reached, -round(found.levels[-1][2] / _SAME)
 
 
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
@@ -214,7 +214,7 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
             candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
             for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
-    starts.sort(key=lambda found: found.levels[0][2])
+    starts.sort(key=_first_energy)
     if not starts or starts[0].complete:
         return starts[:1]
     again = []
@@ -224,7 +224,13 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
         better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
         if better is not None:
             again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
-    return sorted(again, key=lambda found: found.levels[0][2]) + starts[:1]
+    return sorted(again, key=_first_energy) + starts[:1]
+
+
+def _first_energy(found: Found) -> int:
+    """The energy of the first level, rounded, so that equal ones stay in order."""
+    return round(found.levels[0][2] / _SAME)
+
 
 
 def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found) -> Found:
