@@ -35,6 +35,7 @@ from tween.morphing.matching.chords import FLAT, Disk, Positions, boundary, side
 
 MANY = 400  # vertices from which on a curve counts as finely sampled
 _SPACING = 1e-3  # what squares of distances to neighbours count beside areas, on finely sampled curves
+_TURNS = 2.0**30  # parts of a turn, more or less, to which nearly straight vertices are compared
 _APART = 1e-9  # of the curve's length: candidates nearer to each other than this are one
 _Floats = NDArray[np.float64]
 
@@ -283,6 +284,7 @@ def _importance(points, a, v, b, weights):
     if abs(cross) <= 1e-12 * size:
         return np.float64(np.float32(apart))
     turned = np.arctan2(cross, ux * wx + uy * wy) / np.pi
+    cross = np.round(cross / size * _TURNS) / _TURNS * size
     return np.float64(np.float32(abs(cross) + sharpness * turned * turned + apart))
 
 
@@ -313,10 +315,19 @@ def _may_go(points, before, after, v, link, size, flat):
     if side == 0:
         return size > 2
     p, q = before[a], after[b]
-    A, V, B, P, Q = points[a], points[v], points[b], points[p], points[q]
-    full_at_a = side_of(A, B, P, flat) >= 0 and side_of(A, P, V, flat) >= 0
-    full_at_b = side_of(B, V, Q, flat) >= 0 and side_of(B, Q, A, flat) >= 0
-    return not (full_at_a or full_at_b)
+    return not (_in_corner(points, a, b, p, v, flat) or _in_corner(points, b, v, q, a, flat))
+
+
+@njit(cache=True)
+def _in_corner(points, o, x, p, y, flat):
+    """Whether p, seen from o, lies between x and y, or so near that a turn decides; y is left of x."""
+    O, P = points[o], points[p]
+    if side_of(O, points[x], P, flat) < 0 or side_of(O, P, points[y], flat) < 0:
+        return False
+    for z in (x, y):  # not behind o
+        if (P[0] - O[0]) * (points[z, 0] - O[0]) + (P[1] - O[1]) * (points[z, 1] - O[1]) > 0.0:
+            return True
+    return False
 
 
 @njit(cache=True)
