@@ -7,6 +7,8 @@ local minima are followed.  Cheap attempts come first; the first one that reache
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import numpy as np
+
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
 from tween.morphing.matching.pieces import next_level_in_pieces
@@ -214,7 +216,7 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
             candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
             for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
-    starts.sort(key=_first_energy)
+    starts.sort(key=_by_energy)
     if not starts or starts[0].complete:
         return starts[:1]
     again = []
@@ -224,12 +226,16 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
         better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
         if better is not None:
             again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
-    return sorted(again, key=_first_energy) + starts[:1]
+    return sorted(again, key=_by_energy) + starts[:1]
 
 
-def _first_energy(found: Found) -> int:
-    """The energy of the first level, rounded, so that equal ones stay in order."""
-    return round(found.levels[0][2] / _SAME)
+def _by_energy(found: Found) -> tuple[int, int]:
+    """The energy of the first level; of equal ones, as those of a symmetric shape are, the one that turns least."""
+    c = found.correspondence
+    assert c is not None  # a level has made one
+    z, w = ((points - points.mean(axis=0)) @ np.array([1.0, 1.0j]) for points in (c.source_points, c.target_points))
+    z, w = z / np.abs(z).max(), w / np.abs(w).max()
+    return round(found.levels[0][2] / _SAME), round(abs(float(np.angle(np.vdot(z, w)))) / _SAME)
 
 
 
