@@ -1,9 +1,12 @@
 r"""The search: where to begin, how to go on, and what to try where a level cannot be refined.
 
 An *attempt* says how many vertices the first level has, how dear stretch is and how many of the first level's
-local minima are followed.  Cheap attempts come first; the first one that reaches all vertices is the answer.
+local minima are followed.  Simplified curves tell little of the whole ones: an L looks much the same from end to end.
+So several minima are refined side by side, as long as that is cheap, and the best of them goes on.  Cheap attempts come
+first; the first one that reaches all vertices is the answer.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,6 +23,7 @@ SMALL = 24
 _GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
 _LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
 _SAME = 1e-9  # relative: starts whose energies differ by less are the same
+_CHEAP = 130  # vertices up to which rivals are refined
 _RISE = 1.25  # of the energy over all levels, above which the simplified curves stood ill for the whole
 _MORE = 2  # further attempts that are then made
 _MOST_DIVISIONS = 2  # of steps between levels in which nothing was found, in one attempt
@@ -47,6 +51,8 @@ class Attempt(NamedTuple):
         See `.simplify.simplify`.
     literal : bool
         Whether both curves have exactly so many candidates on every edge.
+    rivals : int
+        Local minima that are refined side by side.
     """
 
     first: int
@@ -56,6 +62,7 @@ class Attempt(NamedTuple):
     efforts: tuple[Effort, ...]
     sharpness: float = 0.0
     literal: bool = False
+    rivals: int = 1
 
 
 _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
@@ -69,9 +76,9 @@ _IN_PIECES = (
     Effort(40, 10, 0.0, 2, 200),
 )
 _ATTEMPTS = (
-    Attempt(24, 1, 0.0, 4, _LIGHT),
-    Attempt(32, 1, 0.0, 4, _LIGHT),
-    Attempt(24, 1, 0.0, 4, _LIGHT, 0.05),
+    Attempt(24, 1, 0.0, 4, _LIGHT, rivals=4),
+    Attempt(32, 1, 0.0, 4, _LIGHT, rivals=4),
+    Attempt(24, 1, 0.0, 4, _LIGHT, 0.05, rivals=4),
     Attempt(32, 1, 0.0, 4, _HEAVY, 0.02),
     Attempt(24, 2, 0.0, 4, _HEAVY),
     Attempt(24, 1, 4.0, 4, _HEAVY),
@@ -94,12 +101,15 @@ class Found:
         Vertices of the source and of the target and the energy, level by level.
     complete : bool
         Whether the last level has all vertices.
+    stuck : bool
+        Whether the next level could not be matched.
     """
 
     disks: tuple[int, int]
     correspondence: Correspondence | None
     levels: tuple[tuple[int, int, float], ...]
     complete: bool
+    stuck: bool = False
 
 
 def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
@@ -173,17 +183,31 @@ def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: 
     """The first start that reaches all vertices, or else the one that comes farthest."""
     S, T = ([shape.sharper(attempt.sharpness) for shape in shapes] for shapes in (sources, targets))
     best: Found | None = None
-    tried: list[float] = []
-    for start in _starts(S, T, nodes, attempt):
-        if any(abs(start.levels[0][2] - energy) < _SAME * energy for energy in tried):
-            continue  # a symmetry of the shape
-        tried.append(start.levels[0][2])
-        found = _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start)
+    for start in _race(S, T, nodes, attempt, _starts(S, T, nodes, attempt)):
+        found = start if start.stuck else _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start)
         if found.complete:
             return found
         if best is None or _rank(found) > _rank(best):
             best = found
     return best
+
+
+def _race(S: list[Shape], T: list[Shape], nodes: Landmarks, attempt: Attempt, starts: list[Found]) -> Iterator[Found]:
+    """The starts, those that a symmetry of a shape makes equal once: first the rivals, as far as refining is cheap."""
+    energies: list[float] = []
+    different: list[Found] = []
+    for start in starts:
+        energy = start.levels[0][2]
+        if all(abs(energy - other) >= _SAME * other for other in energies):
+            energies.append(energy)
+            different.append(start)
+    rivals = [
+        _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start, _CHEAP)
+        for start in different[: attempt.rivals]
+        if attempt.rivals > 1
+    ]
+    yield from sorted(rivals, key=_rank, reverse=True)
+    yield from different[len(rivals) :]
 
 
 def _rank(found: Found) -> tuple[bool, int, int]:
@@ -238,15 +262,15 @@ def _by_energy(found: Found) -> tuple[int, int]:
     return round(found.levels[0][2] / _SAME), round(abs(float(np.angle(np.vdot(z, w)))) / _SAME)
 
 
-
-def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found) -> Found:
-    """Go from level to level as far as it goes."""
+def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found, most: int | None = None) -> Found:
+    """Go on from level to level as far as it goes, or to the last one of so many vertices."""
     sizes = sizes_of_levels(len(S), len(T), attempt.first)
     S.prepare([n for n, _ in sizes])
     T.prepare([m for _, m in sizes])
-    last, levels, ahead, divided = start.correspondence, list(start.levels), sizes[:0:-1], 0
+    last, levels, divided = start.correspondence, list(start.levels), 0
     assert last is not None  # the first level has made one
-    while ahead:
+    ahead = [size for size in reversed(sizes) if max(size) > max(levels[-1][:2])]
+    while ahead and (most is None or max(ahead[-1]) <= most):
         n, m = ahead.pop()
         finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
         if finer is not None:
@@ -255,10 +279,10 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
             continue
         between = _between(levels[-1][:2], (n, m))
         if between is None or divided == _MOST_DIVISIONS:
-            return Found(start.disks, last, tuple(levels), False)
+            return Found(start.disks, last, tuple(levels), False, True)
         ahead += [(n, m), between]
         divided += 1
-    return Found(start.disks, last, tuple(levels), True)
+    return Found(start.disks, last, tuple(levels), not ahead)
 
 
 def _between(coarse: tuple[int, int], fine: tuple[int, int]) -> tuple[int, int] | None:

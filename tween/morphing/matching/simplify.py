@@ -321,11 +321,11 @@ def _may_go(points, before, after, v, link, size, flat):
 @njit(cache=True)
 def _in_corner(points, o, x, p, y, flat):
     """Whether p, seen from o, lies between x and y, or so near that a turn decides; y is left of x."""
-    O, P = points[o], points[p]
-    if side_of(O, points[x], P, flat) < 0 or side_of(O, P, points[y], flat) < 0:
+    apex, place = points[o], points[p]
+    if side_of(apex, points[x], place, flat) < 0 or side_of(apex, place, points[y], flat) < 0:
         return False
     for z in (x, y):  # not behind o
-        if (P[0] - O[0]) * (points[z, 0] - O[0]) + (P[1] - O[1]) * (points[z, 1] - O[1]) > 0.0:
+        if (place[0] - apex[0]) * (points[z, 0] - apex[0]) + (place[1] - apex[1]) * (points[z, 1] - apex[1]) > 0.0:
             return True
     return False
 
