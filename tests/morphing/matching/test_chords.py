@@ -5,7 +5,16 @@ import oracle
 import pytest
 
 from tween.gallery import random_disk
-from tween.morphing.matching.chords import FLAT, PIECE, ROUND, STRAIGHT, all_pairs, find_chords, find_splits, straight_lines
+from tween.morphing.matching.chords import (
+    FLAT,
+    PIECE,
+    ROUND,
+    STRAIGHT,
+    all_pairs,
+    find_chords,
+    find_splits,
+    straight_lines,
+)
 from tween.morphing.matching.simplify import Shape
 
 

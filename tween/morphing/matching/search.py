@@ -6,7 +6,6 @@ So several minima are refined side by side, as long as that is cheap, and the be
 first; the first one that reaches all vertices is the answer.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -192,30 +191,26 @@ def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: 
     return best
 
 
-def _race(S: list[Shape], T: list[Shape], nodes: Landmarks, attempt: Attempt, starts: list[Found]) -> Iterator[Found]:
-    """The starts, those that a symmetry of a shape makes equal once: first the rivals, as far as refining is cheap."""
-    energies: list[float] = []
-    different: list[Found] = []
-    for start in starts:
-        energy = start.levels[0][2]
-        if all(abs(energy - other) >= _SAME * other for other in energies):
-            energies.append(energy)
-            different.append(start)
+def _race(S: list[Shape], T: list[Shape], nodes: Landmarks, attempt: Attempt, starts: list[Found]) -> list[Found]:
+    """Refine the first starts, the rivals, as far as that is cheap, and put them in order; the others stay behind."""
+    if attempt.rivals == 1:
+        return starts
     rivals = [
         _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start, _CHEAP)
-        for start in different[: attempt.rivals]
-        if attempt.rivals > 1
+        for start in starts[: attempt.rivals]
     ]
-    yield from sorted(rivals, key=_rank, reverse=True)
-    yield from different[len(rivals) :]
+    return sorted(rivals, key=_rank, reverse=True) + starts[attempt.rivals :]
 
 
-def _rank(found: Found) -> tuple[bool, int, int]:
-    """Complete before incomplete; of those by energy, of these by the vertices that they reach."""
+def _rank(found: Found) -> tuple[bool, int, int, int]:
+    """Complete before incomplete; of those by energy, of these by the vertices that they reach.
+
+    Equal energies are a symmetric shape's: then by how little the shape turns, so that it stays on itself.
+    """
     if not found.levels:
-        return False, 0, 0
+        return False, 0, 0, 0
     reached = 0 if found.complete else sum(found.levels[-1][:2])
-    return found.complete, reached, -round(found.levels[-1][2] / _SAME)
+    return found.complete, reached, -_energy(found), -_turn(found)
 
 
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
@@ -240,9 +235,9 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
             candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
             for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
-    starts.sort(key=_by_energy)
+    starts.sort(key=_energy)
     if not starts or starts[0].complete:
-        return starts[:1]
+        return sorted(starts, key=_rank, reverse=True)[:1]
     again = []
     for found in starts[: attempt.starts]:
         S, T, sizes = sources[found.disks[0]], targets[found.disks[1]], found.levels[0][:2]
@@ -250,16 +245,21 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
         better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
         if better is not None:
             again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
-    return sorted(again, key=_by_energy) + starts[:1]
+    return sorted(again, key=_energy) + starts[:1]
 
 
-def _by_energy(found: Found) -> tuple[int, int]:
-    """The energy of the first level; of equal ones, as those of a symmetric shape are, the one that turns least."""
+def _energy(found: Found) -> int:
+    """The energy of the last level, rounded: equal ones are equal."""
+    return round(found.levels[-1][2] / _SAME)
+
+
+def _turn(found: Found) -> int:
+    """By how much the correspondence turns the source, rounded."""
     c = found.correspondence
     assert c is not None  # a level has made one
     z, w = ((points - points.mean(axis=0)) @ np.array([1.0, 1.0j]) for points in (c.source_points, c.target_points))
     z, w = z / np.abs(z).max(), w / np.abs(w).max()
-    return round(found.levels[0][2] / _SAME), round(abs(float(np.angle(np.vdot(z, w)))) / _SAME)
+    return round(abs(float(np.angle(np.vdot(z, w)))) / _SAME)
 
 
 def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found, most: int | None = None) -> Found:
