@@ -26,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.morphing.compatible.guarantee.angle_budgets import vertex_sums
+from tween.morphing.compatible.guarantee.sum_search import vertex_sums
 
 _TIMES = np.linspace(0.0, 1.0, 34)[1:-1]  # at which excesses are looked at
 _PATIENCE = 12  # rounds of twisting that make nothing better

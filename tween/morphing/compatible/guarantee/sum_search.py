@@ -1,0 +1,192 @@
+"""Whose angles may add up to 2 pi: sums of bounds, in few long intervals of time, and in their parts where in doubt.
+
+Most vertices are far below 2 pi.  So time is cut into 16 long intervals; each of these into 8 parts for the vertices
+that are in doubt in some long interval, and only where they have little left.  A *cell* is a triangle in a long
+interval; the angles of those at such vertices are bounded anew, in all parts.
+
+Legend: ``m`` triangles; ``n`` vertices; ``l`` long intervals; ``f`` number of one; ``g`` number of a part.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+ROUNDING = 1e-9
+"""Of a sum of angles, in radians."""
+
+_FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
+_PARTS = (_TIMES - 1) // (_FEW_TIMES - 1)  # of a long interval
+_AT_ONCE = 128  # triangles whose angles are bounded in all intervals rather than in each that is in doubt
+_ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
+
+
+class SumSearch:
+    """Bounds of all angles in long intervals of time, and where these do not do, in their parts.
+
+    Parameters
+    ----------
+    corners : ndarray of int, shape (m, 3)
+    first, last : ndarray of float64, shape (m, 3)
+        Angles at these corners at times 0 and 1.
+    bounds : callable
+        As for `.angle_budgets.proved_budgets`.
+    """
+
+    def __init__(
+        self,
+        corners: NDArray[np.int64],
+        first: NDArray[np.float64],
+        last: NDArray[np.float64],
+        bounds: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.float64]],
+    ) -> None:
+        self._corners, self._first, self._last, self._bounds = corners, first, last, bounds
+        self._few, self._many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
+        self._rough = bounds(self._few, np.arange(len(corners)))
+        self._plain: NDArray[np.bool_] = np.zeros(len(corners), dtype=np.bool_)
+        # a cell is a triangle in a long interval; they are numbered as they come, and few will, so little is written
+        most = len(corners) * (_FEW_TIMES - 1)
+        self._cells, self._count = np.full((len(corners), _FEW_TIMES - 1), -1), 0
+        self._fine = np.empty((most, 3, _PARTS))
+        self._rows, self._starts = np.empty(most, np.int64), np.empty(most, np.int64)
+
+    def slack(self, settled: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Tell what vertices have left below 2 pi at all times.
+
+        Parameters
+        ----------
+        settled : ndarray of bool, shape (n,)
+            Vertices for which this is not asked.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            Radians, less 1e-9 for roundings.
+        """
+        slack, doubtful, fresh = _in_long_intervals(self._corners, self._rough, settled, self._cells)
+        if doubtful.any():
+            self._refine(fresh)
+            _in_their_parts(doubtful, self._corners, self._fine, self._cells, slack)
+        return np.asarray(slack.min(axis=1))
+
+    def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
+        """Let the bounds of triangles with a budgeted corner reach the path "angle".
+
+        Parameters
+        ----------
+        vertices : ndarray of bool, shape (n,)
+            Which have a budget: those of the last time, and more.
+        """
+        before, self._plain = self._plain, _touched(vertices, self._corners)
+        rows = self._plain & ~before
+        every, start = np.arange(len(rows)), np.zeros(len(rows), np.int64)
+        _reach_plain(self._rough, rows, every, start, self._first, self._last, self._few)
+        self._reach_plain(rows, 0)
+
+    def _refine(self, fresh: NDArray[np.bool_]) -> None:
+        """Bound the angles of cells, (m, long intervals), in their parts; those of few triangles in all intervals."""
+        rows, known = np.flatnonzero(fresh.any(axis=1)), self._count
+        if len(rows) <= _AT_ONCE:
+            self._bound(rows, 0, _FEW_TIMES - 1)
+        else:
+            for f in np.flatnonzero(fresh.any(axis=0)).tolist():
+                self._bound(np.flatnonzero(fresh[:, f]), f, f + 1)
+        self._reach_plain(self._plain, known)
+
+    def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
+        """Bound the angles of some triangles in the parts of some long intervals."""
+        angles = self._bounds(self._many[start * _PARTS : stop * _PARTS + 1], rows)
+        i, f = np.nonzero(self._cells[rows, start:stop] < 0)
+        new = slice(self._count, self._count + len(i))
+        self._fine[new] = angles.reshape(len(rows), 3, stop - start, _PARTS)[i, :, f]
+        self._rows[new], self._starts[new] = rows[i], (start + f) * _PARTS
+        self._cells[rows[i], start + f] = np.arange(new.start, new.stop)
+        self._count = new.stop
+
+    def _reach_plain(self, triangles: NDArray[np.bool_], first: int) -> None:
+        """Let the bounds in the parts of cells from a first one on, where of some triangles, reach the path "angle"."""
+        cells = slice(first, self._count)
+        rows, starts = self._rows[cells], self._starts[cells]
+        _reach_plain(self._fine[cells], triangles[rows], rows, starts, self._first, self._last, self._many)
+
+
+def _touched(some: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which triangles have a corner among some vertices, (n,), or (n, l) in each of several intervals."""
+    a, b, c = corners.T
+    return np.asarray(some[a] | some[b] | some[c])
+
+
+@njit(cache=True)
+def _left(total):
+    """What a sum of angles leaves below 2 pi; nothing where it is not known."""
+    return (2.0 * math.pi - total if total == total else -1.0) - ROUNDING
+
+
+@njit(cache=True)
+def _in_long_intervals(corners, angles, settled, cells):
+    """What vertices have left in long intervals, (n, l), which are in doubt, and which cells are missing."""
+    slack = vertex_sums(corners, angles, len(settled))
+    doubtful, fresh = np.zeros(slack.shape, np.bool_), np.zeros(cells.shape, np.bool_)
+    for v in range(len(slack)):
+        least = math.inf
+        for f in range(slack.shape[1]):
+            slack[v, f] = _left(slack[v, f])
+            least = min(least, slack[v, f])
+        for f in range(slack.shape[1] if least <= 0.0 and not settled[v] else 0):
+            doubtful[v, f] = slack[v, f] <= _ENOUGH
+    for i in range(len(corners)):
+        a, b, c = corners[i]
+        for f in range(slack.shape[1]):
+            fresh[i, f] = cells[i, f] < 0 and (doubtful[a, f] or doubtful[b, f] or doubtful[c, f])
+    return slack, doubtful, fresh
+
+
+@njit(cache=True)
+def _reach_plain(angles, which, rows, starts, first, last, times):
+    """Raise some bounds of angles, (j, 3, k), of triangles from certain times on to the path "angle"; nan stays nan."""
+    for j in np.flatnonzero(which):
+        i, start = rows[j], starts[j]
+        for s in range(3):
+            before = (1 - times[start]) * first[i, s] + times[start] * last[i, s]
+            for f in range(angles.shape[2]):
+                t = times[start + f + 1]
+                after = (1 - t) * first[i, s] + t * last[i, s]
+                angles[j, s, f] = max(angles[j, s, f], max(before, after)) if angles[j, s, f] >= 0.0 else math.nan
+                before = after
+
+
+@njit(cache=True)
+def _in_their_parts(asked, corners, fine, cells, slack):
+    """Write what vertices have left in long intervals, (n, l), where asked for, from bounds in the parts of cells."""
+    places, count = np.full(slack.shape, -1), 0
+    for v in range(len(slack)):
+        for f in range(slack.shape[1]):
+            if asked[v, f]:
+                places[v, f], count = count, count + 1
+    sums = np.zeros((count, fine.shape[2]))
+    for i in range(len(corners)):
+        for f in range(slack.shape[1] if cells[i].max() >= 0 else 0):
+            for s in range(3):
+                place = places[corners[i, s], f]
+                if place >= 0:
+                    for g in range(fine.shape[2]):
+                        sums[place, g] += fine[cells[i, f], s, g]
+    for v in range(len(slack)):
+        for f in range(slack.shape[1]):
+            if asked[v, f]:
+                slack[v, f] = math.inf
+                for total in sums[places[v, f]]:
+                    slack[v, f] = min(slack[v, f], _left(total))
+
+
+@njit(cache=True)
+def vertex_sums(corners, angles, n):
+    """Sums of angles, (m, 3, k), at each of n vertices, (n, k)."""
+    sums = np.zeros((n, angles.shape[2]))
+    for i in range(len(corners)):
+        for s in range(3):
+            for f in range(angles.shape[2]):
+                sums[corners[i, s], f] += angles[i, s, f]
+    return sums
