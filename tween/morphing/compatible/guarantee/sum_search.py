@@ -46,7 +46,8 @@ class SumSearch:
         self._few, self._many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
         self._rough = bounds(self._few, np.arange(len(corners)))
         self._plain: NDArray[np.bool_] = np.zeros(len(corners), dtype=np.bool_)
-        # a cell is a triangle in a long interval; they are numbered as they come, and few will, so little is written
+        self._slack, self._asked = np.zeros(corners.max() + 1), np.ones(corners.max() + 1, dtype=np.bool_)
+        # cells are numbered as they come: they are few, and so lie close together
         most = len(corners) * (_FEW_TIMES - 1)
         self._cells, self._count = np.full((len(corners), _FEW_TIMES - 1), -1), 0
         self._fine = np.empty((most, 3, _PARTS))
@@ -65,11 +66,13 @@ class SumSearch:
         ndarray of float64, shape (n,)
             Radians, less 1e-9 for roundings.
         """
-        slack, doubtful, fresh = _in_long_intervals(self._corners, self._rough, settled, self._cells)
+        asked = self._asked & ~settled  # the bounds at others are what they were
+        slack, doubtful, fresh = _in_long_intervals(self._corners, self._rough, asked, self._cells)
         if doubtful.any():
             self._refine(fresh)
             _in_their_parts(doubtful, self._corners, self._fine, self._cells, slack)
-        return np.asarray(slack.min(axis=1))
+        self._slack[asked] = slack[asked].min(axis=1)
+        return self._slack.copy()
 
     def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
         """Let the bounds of triangles with a budgeted corner reach the path "angle".
@@ -79,11 +82,14 @@ class SumSearch:
         vertices : ndarray of bool, shape (n,)
             Which have a budget: those of the last time, and more.
         """
-        before, self._plain = self._plain, _touched(vertices, self._corners)
+        a, b, c = self._corners.T
+        before, self._plain = self._plain, vertices[a] | vertices[b] | vertices[c]
         rows = self._plain & ~before
         every, start = np.arange(len(rows)), np.zeros(len(rows), np.int64)
         _reach_plain(self._rough, rows, every, start, self._first, self._last, self._few)
         self._reach_plain(rows, 0)
+        self._asked[:] = False
+        self._asked[self._corners[rows]] = True
 
     def _refine(self, fresh: NDArray[np.bool_]) -> None:
         """Bound the angles of cells, (m, long intervals), in their parts; those of few triangles in all intervals."""
@@ -98,24 +104,13 @@ class SumSearch:
     def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
         """Bound the angles of some triangles in the parts of some long intervals."""
         angles = self._bounds(self._many[start * _PARTS : stop * _PARTS + 1], rows)
-        i, f = np.nonzero(self._cells[rows, start:stop] < 0)
-        new = slice(self._count, self._count + len(i))
-        self._fine[new] = angles.reshape(len(rows), 3, stop - start, _PARTS)[i, :, f]
-        self._rows[new], self._starts[new] = rows[i], (start + f) * _PARTS
-        self._cells[rows[i], start + f] = np.arange(new.start, new.stop)
-        self._count = new.stop
+        self._count = _keep(angles, rows, start, self._cells, self._count, self._fine, self._rows, self._starts)
 
     def _reach_plain(self, triangles: NDArray[np.bool_], first: int) -> None:
         """Let the bounds in the parts of cells from a first one on, where of some triangles, reach the path "angle"."""
         cells = slice(first, self._count)
         rows, starts = self._rows[cells], self._starts[cells]
         _reach_plain(self._fine[cells], triangles[rows], rows, starts, self._first, self._last, self._many)
-
-
-def _touched(some: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which triangles have a corner among some vertices, (n,), or (n, l) in each of several intervals."""
-    a, b, c = corners.T
-    return np.asarray(some[a] | some[b] | some[c])
 
 
 @njit(cache=True)
@@ -125,22 +120,40 @@ def _left(total):
 
 
 @njit(cache=True)
-def _in_long_intervals(corners, angles, settled, cells):
-    """What vertices have left in long intervals, (n, l), which are in doubt, and which cells are missing."""
-    slack = vertex_sums(corners, angles, len(settled))
+def _in_long_intervals(corners, angles, asked, cells):
+    """What vertices asked for have left in long intervals, (n, l), which are in doubt, and cells that are missing."""
+    slack = np.zeros((len(asked), cells.shape[1]))
     doubtful, fresh = np.zeros(slack.shape, np.bool_), np.zeros(cells.shape, np.bool_)
-    for v in range(len(slack)):
-        least = math.inf
+    for i in range(len(corners)):
+        for s in range(3):
+            for f in range(slack.shape[1] if asked[corners[i, s]] else 0):
+                slack[corners[i, s], f] += angles[i, s, f]
+    for v in np.flatnonzero(asked):
         for f in range(slack.shape[1]):
             slack[v, f] = _left(slack[v, f])
-            least = min(least, slack[v, f])
-        for f in range(slack.shape[1] if least <= 0.0 and not settled[v] else 0):
-            doubtful[v, f] = slack[v, f] <= _ENOUGH
+        if slack[v].min() <= 0.0:
+            for f in range(slack.shape[1]):
+                doubtful[v, f] = slack[v, f] <= _ENOUGH
     for i in range(len(corners)):
-        a, b, c = corners[i]
-        for f in range(slack.shape[1]):
-            fresh[i, f] = cells[i, f] < 0 and (doubtful[a, f] or doubtful[b, f] or doubtful[c, f])
+        for v in corners[i]:
+            for f in range(slack.shape[1] if asked[v] else 0):
+                fresh[i, f] |= doubtful[v, f] and cells[i, f] < 0
     return slack, doubtful, fresh
+
+
+@njit(cache=True)
+def _keep(angles, rows, start, cells, count, fine, rows_of_cells, starts):
+    """Write bounds of angles, (r, 3, k), in parts of long intervals from a first one on to new cells; their number."""
+    parts = fine.shape[2]
+    for j in range(len(rows)):
+        for f in range(angles.shape[2] // parts):
+            if cells[rows[j], start + f] < 0:
+                cells[rows[j], start + f], rows_of_cells[count], starts[count] = count, rows[j], (start + f) * parts
+                for s in range(3):
+                    for g in range(parts):
+                        fine[count, s, g] = angles[j, s, f * parts + g]
+                count += 1
+    return count
 
 
 @njit(cache=True)
@@ -158,24 +171,24 @@ def _reach_plain(angles, which, rows, starts, first, last, times):
 
 
 @njit(cache=True)
-def _in_their_parts(asked, corners, fine, cells, slack):
-    """Write what vertices have left in long intervals, (n, l), where asked for, from bounds in the parts of cells."""
-    places, count = np.full(slack.shape, -1), 0
+def _in_their_parts(doubtful, corners, fine, cells, slack):
+    """Write what vertices have left in long intervals, (n, l), where in doubt, from bounds in the parts of cells."""
+    places, some, count = np.empty(slack.shape, np.int64), np.zeros(len(slack), np.bool_), 0
     for v in range(len(slack)):
         for f in range(slack.shape[1]):
-            if asked[v, f]:
-                places[v, f], count = count, count + 1
+            if doubtful[v, f]:
+                places[v, f], some[v], count = count, True, count + 1
     sums = np.zeros((count, fine.shape[2]))
     for i in range(len(corners)):
-        for f in range(slack.shape[1] if cells[i].max() >= 0 else 0):
-            for s in range(3):
-                place = places[corners[i, s], f]
-                if place >= 0:
+        for s in range(3):
+            v = corners[i, s]
+            for f in range(slack.shape[1] if some[v] else 0):
+                if doubtful[v, f]:
                     for g in range(fine.shape[2]):
-                        sums[place, g] += fine[cells[i, f], s, g]
-    for v in range(len(slack)):
+                        sums[places[v, f], g] += fine[cells[i, f], s, g]
+    for v in np.flatnonzero(some):
         for f in range(slack.shape[1]):
-            if asked[v, f]:
+            if doubtful[v, f]:
                 slack[v, f] = math.inf
                 for total in sums[places[v, f]]:
                     slack[v, f] = min(slack[v, f], _left(total))
