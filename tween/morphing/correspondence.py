@@ -98,10 +98,12 @@ def from_match(found: Match) -> Alignment:
     Returns
     -------
     Alignment
-        With crossings where the match is not complete.
+        With crossings where the match is not complete.  The target's own numbers begin at its vertex 0: ties are broken
+        in those of the shape that comes first, whichever is the source.
     """
     crossings = 0 if found.complete else count_crossings(found.source, found.target)
-    return Alignment(found.source, found.target, 0, found.source_vertices, found.target_vertices, None, crossings)
+    shift = -int(np.flatnonzero(found.target_vertices == 0)[0]) % len(found.target)
+    return Alignment(found.source, found.target, shift, found.source_vertices, found.target_vertices, None, crossings)
 
 
 def flipping_shift(first: Triangulation, second: Triangulation, shifts: Shifts) -> tuple[int, int | None]:

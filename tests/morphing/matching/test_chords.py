@@ -5,7 +5,16 @@ import oracle
 import pytest
 
 from tween.gallery import random_disk
-from tween.morphing.matching.chords import PIECE, ROUND, STRAIGHT, all_pairs, find_chords, find_splits, straight_lines
+from tween.morphing.matching.chords import (
+    FLAT,
+    PIECE,
+    ROUND,
+    STRAIGHT,
+    all_pairs,
+    find_chords,
+    find_splits,
+    straight_lines,
+)
 from tween.morphing.matching.simplify import Shape
 
 
@@ -34,7 +43,7 @@ def test_straight_chords_between_vertices_are_the_diagonals_of_triangulations(se
 @pytest.mark.parametrize("seed", range(3))
 def test_splits_are_counter_clockwise_triangles_of_chords(seed: int) -> None:
     _, positions, chords = parts(8, seed, candidates=2)
-    splits, first, _ = find_splits(positions, chords, True)
+    splits, first, _ = find_splits(positions, chords, FLAT, True)
     points = oracle.fractions(positions.points)
     for left, right, whole, j in zip(splits.left, splits.right, splits.whole, splits.end, strict=True):
         i, k = chords.start[left], chords.end[left]

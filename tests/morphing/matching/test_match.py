@@ -226,7 +226,8 @@ def test_a_curve_and_its_image_have_the_least_energy_and_each_vertex_its_own(pai
         a = match(p, np.roll(np.stack([z.real, z.imag], axis=1), -start, axis=0))
         check(a)
         assert a.energy == pytest.approx(4, abs=1e-9)
-        assert (a.source_vertices == (a.target_vertices + start) % len(p)).all()
+        ahead = set(((a.source_vertices - a.target_vertices) % len(p)).tolist())
+        assert len(ahead) == 1 and (ahead.pop() - start) % len(p) in symmetries(p)
 
 
 @pytest.mark.parametrize("name", ["arrow", "ell", "ess", "R", "g", "spiral_1", "two_disks", "comb"])
@@ -244,6 +245,16 @@ def test_vertices_moved_a_little_find_themselves(name, rng):
     assert max(np.sum(ahead == 0), np.sum(ahead == turned)) >= 0.99 * len(p)
 
 
+@pytest.mark.parametrize("turn", [0.0, 0.4, -1.2])
+@pytest.mark.parametrize("name", ["ess", "square"])
+def test_a_symmetric_curve_turns_no_more_than_it_must(name, turn):
+    p = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) if name == "square" else points_of(name)
+    z = p @ [1, 1j] * 2 * np.exp(1j * turn)
+    a = match(p, np.stack([z.real, z.imag], axis=1))
+    quarters = round(turn / (np.pi / 2)) if name == "square" else 0
+    assert (a.target_vertices == (a.source_vertices - quarters) % len(p)).all()
+
+
 def symmetries(p):
     """Renumberings under which a curve is its own image, or nearly."""
     z = p @ [1, 1j]
@@ -251,14 +262,11 @@ def symmetries(p):
     return [k for k in range(len(z)) if abs(np.vdot(z, np.roll(z, -k))) > 1 - 1e-3]
 
 
-ASTRAY = {
-    "J": "its two ends are taken for each other",
-    "convex": "on a smooth oval, places beside a vertex match better than the vertex that was moved",
-}
+ASTRAY = {"convex": "on a smooth oval, places beside a vertex match better than the vertex that was moved"}
 
 
 @pytest.mark.slow
-def test_on_all_curves_but_two_99_of_100_moved_vertices_find_themselves(rng):
+def test_on_all_curves_but_one_99_of_100_moved_vertices_find_themselves(rng):
     found = total = 0
     for name in [*gallery.names(), *gallery.letters()]:
         p = points_of(name)

@@ -27,7 +27,11 @@ from tween.geometry.growing import more_rows
 from tween.geometry.predicates import orient2d_sign, turn
 
 PIECE, STRAIGHT, ROUND = 1, 2, 3
+FLAT = 1e-10
+"""Of the sum of the squares of two sides: a triangle of less than half this area counts as flat, where none must be."""
+
 _NONE = 0
+_SURE = 1e-14  # likewise: a larger cross product has the sign of the exact one, whatever rounding did
 
 
 class Positions(NamedTuple):
@@ -68,12 +72,15 @@ class Disk(NamedTuple):
         Half-edge across each half-edge; -1 on the curve.
     out : ndarray of int, shape (n,)
         Half-edge from each vertex to its successor on the curve.
+    flat : float
+        See `side_of`.
     """
 
     points: NDArray[np.float64]
     triangles: NDArray[np.int64]
     twin: NDArray[np.int64]
     out: NDArray[np.int64]
+    flat: float
 
 
 class Chords(NamedTuple):
@@ -222,9 +229,19 @@ def _on_one_line(lines, i, k, j):
     return False
 
 
-@njit(cache=True, inline="always")
-def _side(a, b, c):
-    return orient2d_sign(a[0], a[1], b[0], b[1], c[0], c[1])
+@njit(cache=True)
+def side_of(a, b, c, flat):
+    """Whether c lies to the left of ab, 1.0, or to the right, -1.0; 0.0 on the line, or so near that a turn decides.
+
+    Where three points are collinear, rounding makes them a triangle as soon as the curve is turned.  So with `flat`
+    above zero such triangles count as none, and the same shape has the same chords wherever it lies.  With zero the
+    sign is the exact one.
+    """
+    ux, uy, wx, wy = b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]
+    cross, size = ux * wy - uy * wx, ux * ux + uy * uy + wx * wx + wy * wy
+    if abs(cross) > max(flat, _SURE) * size:
+        return 1.0 if cross > 0.0 else -1.0
+    return 0.0 if flat > 0.0 else orient2d_sign(a[0], a[1], b[0], b[1], c[0], c[1])
 
 
 @njit(cache=True, inline="always")
@@ -246,9 +263,9 @@ def _sees(positions, disk, p, q):
         left, right, w = triangles[t, s], triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
         if w == goal_vertex:
             return True
-        if _side(points[left], points[right], goal) <= 0:
+        if side_of(points[left], points[right], goal, disk.flat) <= 0:
             return False
-        side = _side(start, goal, points[w])
+        side = side_of(start, goal, points[w], disk.flat)
         if side == 0:
             return False
         h = 3 * t + (s + 1) % 3 if side > 0 else 3 * t + (s + 2) % 3
@@ -268,14 +285,15 @@ def _sector(disk, h, goal, goal_vertex):
         y, z = triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
         if y == goal_vertex or z == goal_vertex:
             return -2
-        if _side(v, disk.points[y], goal) > 0 and _side(v, goal, disk.points[z]) > 0:
+        after_y, before_z = side_of(v, disk.points[y], goal, disk.flat), side_of(v, goal, disk.points[z], disk.flat)
+        if after_y > 0 and before_z > 0:
             return 3 * t + (s + 1) % 3
         h = twin[3 * t + (s + 2) % 3]
     return -1
 
 
 def find_splits(
-    positions: Positions, chords: Chords, by_whole: bool
+    positions: Positions, chords: Chords, flat: float, by_whole: bool
 ) -> tuple[Splits, NDArray[np.int64], NDArray[np.int64]]:
     """List the splits, in order of their whole chords or, for the target, of their left ones.
 
@@ -283,6 +301,8 @@ def find_splits(
     ----------
     positions : Positions
     chords : Chords
+    flat : float
+        See `side_of`.
     by_whole : bool
 
     Returns
@@ -293,7 +313,7 @@ def find_splits(
     middle : ndarray of int, shape (c,)
         Among those of one left chord the splits of STRAIGHT chords come before those of ROUND ones, which begin here.
     """
-    left, right, whole = _triangles(positions, chords)
+    left, right, whole = _triangles(positions, chords, flat)
     count = len(chords.start)
     key = 2 * whole.astype(np.int64) if by_whole else 2 * left.astype(np.int64) + (chords.kind[whole] == ROUND)
     order = np.argsort(key, kind="stable")
@@ -303,7 +323,7 @@ def find_splits(
 
 
 @njit(cache=True)
-def _triangles(positions, chords):
+def _triangles(positions, chords, flat):
     """The chords (i, k), (k, j), (i, j) of every split, in order of i, then k."""
     count, size = len(positions.points), 0
     found = np.empty((4 * len(chords.start) + 16, 3), np.int32)
@@ -320,7 +340,7 @@ def _triangles(positions, chords):
                 if from_row[j] != i or chords.kind[right] == ROUND:
                     continue
                 whole = chord_to[j]
-                if whole <= left or chords.kind[whole] == PIECE or not _is_triangle(positions, i, k, j):
+                if whole <= left or chords.kind[whole] == PIECE or not _is_triangle(positions, i, k, j, flat):
                     continue
                 if size == len(found):
                     found = more_rows(found)
@@ -330,8 +350,9 @@ def _triangles(positions, chords):
 
 
 @njit(cache=True, inline="always")
-def _is_triangle(positions, i, k, j):
-    return not _on_one_line(positions.lines, i, k, j) and turn(positions.points, i, k, j) > 0
+def _is_triangle(positions, i, k, j, flat):
+    points = positions.points
+    return not _on_one_line(positions.lines, i, k, j) and side_of(points[i], points[k], points[j], flat) > 0
 
 
 @njit(cache=True)

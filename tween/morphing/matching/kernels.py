@@ -28,6 +28,8 @@ from numpy.typing import NDArray
 from tween.geometry.growing import longer, more_rows
 from tween.morphing.matching.chords import PIECE, ROUND, Chords, Splits
 
+_TIE = 1e-12  # relative: of costs that differ by less the first is taken, so that rounding decides nothing
+
 
 class Side(NamedTuple):
     """One curve's share of the table.
@@ -203,7 +205,7 @@ def wholes(source, target, windows, table, stretch):
             total = table.value[state] + _price(
                 source.arc, chords.end[e], chords.start[e], target.arc, np.int64(c), a, stretch
             )
-            if total < cost[row]:
+            if total < cost[row] - _TIE * (1.0 + total):
                 cost[row], found[row, 0], found[row, 1] = total, e, f
     return cost, found
 
@@ -234,9 +236,11 @@ def follow(source, target, windows, table, e, f):
 @njit(cache=True, inline="always")
 def _divide(source, target, windows, table, e, f):
     """The first split of S and of T, in the order of the table, that give a state its cost."""
-    j, b = source.chords.end[e], target.chords.end[f]
-    S, T, count, best = source.splits, target.splits, len(target.arc), np.inf
-    found = (np.int64(-1), np.int64(-1))
+    i, j, b = source.chords.start[e], source.chords.end[e], target.chords.end[f]
+    S, T, count = source.splits, target.splits, len(target.arc)
+    row, column = (target.chords.start[f] - windows.low[i]) % count, (b - windows.low[j]) % count
+    wanted = table.cost[table.offset[e] + row * windows.width[j] + column]
+    enough = wanted + _TIE * (1.0 + wanted)
     for s in range(source.first[e], source.first[e + 1]):
         left, right = S.left[s], S.right[s]
         k = source.chords.end[left]
@@ -245,13 +249,12 @@ def _divide(source, target, windows, table, e, f):
             if target.chords.start[g] != target.chords.start[f]:
                 continue
             after = (target.chords.end[g] - windows.low[k]) % count * windows.width[j]
-            cell = table.offset[right] + after + (b - windows.low[j]) % count
+            cell = table.offset[right] + after + column
             for r in range(target.first[g], target.first[g + 1]):
                 if T.whole[r] == f:
-                    total = table.value[state] + table.cost[cell] + _excess(S, s, T, r)
-                    if total < best:
-                        best, found = total, (np.int64(s), np.int64(r))
-    return found
+                    if table.value[state] + table.cost[cell] + _excess(S, s, T, r) <= enough:
+                        return np.int64(s), np.int64(r)
+    return np.int64(-1), np.int64(-1)  # never: the cost of a state is that of a split
 
 
 @njit(cache=True, inline="always")

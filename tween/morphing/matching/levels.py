@@ -19,10 +19,13 @@ from tween.geometry.triangulation import Triangulation
 from tween.morphing.matching.chords import Chords, Positions, all_pairs, find_chords, find_splits
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
-from tween.morphing.matching.reach import near_pairs
+from tween.morphing.matching.reach import ON_NODE, near_pairs
 from tween.morphing.matching.simplify import Level, Shape
 
 _Floats = NDArray[np.float64]
+
+SAME = 1e-10
+"""Costs that differ by less are equal, and the first is taken: rounding decides nothing."""
 
 
 @dataclass(frozen=True)
@@ -238,7 +241,8 @@ def band_around(source: Positions, target: Positions, last: Correspondence, band
     images = (last.to_target(source.arc) - start) % 1.0
     right = np.searchsorted(ahead, images)
     to_right = np.append(ahead, 1.0)[right] - images
-    centre = np.where((right > 0) & (images - ahead[right - 1] < to_right), right - 1, right)
+    nearer = images - ahead[right - 1] < to_right - ON_NODE  # what lies half-way goes to the right
+    centre = np.where((right > 0) & nearer, right - 1, right)
     width = min(2 * band + 1, count)
     return Windows((centre - band) % count, np.full(len(images), width), np.empty((0, 0), dtype=bool))
 
@@ -256,8 +260,9 @@ def _solve(
     for shape, level, place, (first, end), of_source in zip(
         shapes, levels, positions, pairs, (True, False), strict=True
     ):
-        chords = Chords(*find_chords(place, shape.disk(level), first, end, of_source))
-        splits, start, middle = find_splits(place, chords, of_source)
+        disk = shape.disk(level)
+        chords = Chords(*find_chords(place, disk, first, end, of_source))
+        splits, start, middle = find_splits(place, chords, disk.flat, of_source)
         sides.append(Side(chords, splits, start, middle, place.arc))
     source, target = sides
     table = fill(source, target, windows, stretch)
@@ -271,6 +276,7 @@ def _solve(
 
 def _minima(cost: _Floats) -> list[int]:
     """Rows where the cost is finite and no neighbour's is smaller, the cheapest first."""
+    cost = np.round(cost / SAME)
     low = np.isfinite(cost) & (cost <= np.roll(cost, 1)) & (cost < np.roll(cost, -1))
     if not low.any() and np.isfinite(cost).any():
         return [int(np.argmin(cost))]

@@ -32,7 +32,7 @@ from tween.morphing.matching.chords import (
 )
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
-from tween.morphing.matching.levels import Correspondence, Effort, band_around, positions_at
+from tween.morphing.matching.levels import SAME, Correspondence, Effort, band_around, positions_at
 from tween.morphing.matching.reach import near_pairs
 from tween.morphing.matching.simplify import Shape
 
@@ -199,7 +199,7 @@ class _Finer:
             pairs = near_pairs(place.arc, arc[nodes], points[nodes], *mesh, effort.steps, effort.most)
             chords = find_chords(place, self.disks[k], *pairs, k == 0)
             chords = _with_edges(chords, np.searchsorted(local, row[ends]), len(local))
-            splits, first, middle = find_splits(place, chords, k == 0)
+            splits, first, middle = find_splits(place, chords, self.disks[k].flat, k == 0)
             sides.append(Side(chords, splits, first, middle, place.arc))
             places.append(place)
             known.append(np.searchsorted(local, row[np.append(ends, nodes[self.landmark[nodes]])]))
@@ -220,7 +220,7 @@ class _Finer:
     def _filled(self, places: list[Positions], source: Side, target: Side, windows: Windows) -> Part | None:
         table = fill(source, target, windows, 0.0)
         cost, whole = wholes(source, target, windows, table, 0.0)
-        best = int(np.argmin(cost))
+        best = int(np.argmin(np.round(cost / SAME)))
         if not np.isfinite(cost[best]):
             return None
         return self._part(places, follow(source, target, windows, table, *whole[best]), float(cost[best]))

@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from tween.geometry.growing import longer
 from tween.morphing.matching.chords import boundary
 
-_ON_NODE = 1e-12  # of the curve's length
+ON_NODE = 1e-12
+"""Of the curve's length: places nearer to each other are one."""
+
 _FARTHER = 40  # triangles on the way to larger ones
 
 
@@ -37,10 +39,10 @@ def gap_ranges(arc, nodes):
     for r in range(m):
         start = _ahead(nodes[r], nodes[0]) if r > 0 else 0.0
         stop = _ahead(nodes[r + 1], nodes[0]) if r + 1 < m else 1.0
-        while begin < count and ahead[(shift + begin) % count] < start - _ON_NODE:
+        while begin < count and ahead[(shift + begin) % count] < start - ON_NODE:
             begin += 1
         end = max(end, begin)
-        while end < count and ahead[(shift + end) % count] <= stop + _ON_NODE:
+        while end < count and ahead[(shift + end) % count] <= stop + ON_NODE:
             end += 1
         low[r], size[r] = (shift + begin) % count, end - begin + (1 if r + 1 == m else 0)
     return low, size
@@ -50,7 +52,7 @@ def gap_ranges(arc, nodes):
 def _ahead(x, start):
     """How far x lies ahead of a place on a ring of length 1; next to nothing behind it counts as there."""
     d = (x - start) % 1.0
-    return 0.0 if d > 1.0 - _ON_NODE else d
+    return 0.0 if d > 1.0 - ON_NODE else d
 
 
 def near_pairs(
@@ -98,7 +100,9 @@ def _longest_sides(points: NDArray[np.float64], triangles: NDArray[np.int64]) ->
     """The longest side of each triangle: slot s is the side from corner s to the next."""
     corners = points[triangles]
     sides = np.roll(corners, -1, axis=1) - corners
-    longest: NDArray[np.int64] = np.argmax(np.hypot(sides[..., 0], sides[..., 1]), axis=1)
+    sides /= np.abs(sides).max()
+    # in single precision, so that equal sides tie and the first is taken
+    longest: NDArray[np.int64] = np.argmax(np.hypot(sides[..., 0], sides[..., 1]).astype(np.float32), axis=1)
     return longest
 
 

@@ -1,11 +1,15 @@
 r"""The search: where to begin, how to go on, and what to try where a level cannot be refined.
 
 An *attempt* says how many vertices the first level has, how dear stretch is and how many of the first level's
-local minima are followed.  Cheap attempts come first; the first one that reaches all vertices is the answer.
+local minima are followed.  Simplified curves tell little of the whole ones: an L looks much the same from end to end.
+So several minima are refined side by side, as long as that is cheap, and the best of them goes on.  Cheap attempts come
+first; the first one that reaches all vertices is the answer.
 """
 
 from dataclasses import dataclass
 from typing import NamedTuple
+
+import numpy as np
 
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
@@ -18,6 +22,7 @@ SMALL = 24
 _GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
 _LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
 _SAME = 1e-9  # relative: starts whose energies differ by less are the same
+_CHEAP = 130  # vertices up to which rivals are refined
 _RISE = 1.25  # of the energy over all levels, above which the simplified curves stood ill for the whole
 _MORE = 2  # further attempts that are then made
 _MOST_DIVISIONS = 2  # of steps between levels in which nothing was found, in one attempt
@@ -45,6 +50,8 @@ class Attempt(NamedTuple):
         See `.simplify.simplify`.
     literal : bool
         Whether both curves have exactly so many candidates on every edge.
+    rivals : int
+        Local minima that are refined side by side.
     """
 
     first: int
@@ -54,6 +61,7 @@ class Attempt(NamedTuple):
     efforts: tuple[Effort, ...]
     sharpness: float = 0.0
     literal: bool = False
+    rivals: int = 1
 
 
 _AGAIN = Effort(16, 8, 0.0, 2)  # the first level once more, near its own result
@@ -67,9 +75,9 @@ _IN_PIECES = (
     Effort(40, 10, 0.0, 2, 200),
 )
 _ATTEMPTS = (
-    Attempt(24, 1, 0.0, 4, _LIGHT),
-    Attempt(32, 1, 0.0, 4, _LIGHT),
-    Attempt(24, 1, 0.0, 4, _LIGHT, 0.05),
+    Attempt(24, 1, 0.0, 4, _LIGHT, rivals=4),
+    Attempt(32, 1, 0.0, 4, _LIGHT, rivals=4),
+    Attempt(24, 1, 0.0, 4, _LIGHT, 0.05, rivals=4),
     Attempt(32, 1, 0.0, 4, _HEAVY, 0.02),
     Attempt(24, 2, 0.0, 4, _HEAVY),
     Attempt(24, 1, 4.0, 4, _HEAVY),
@@ -92,12 +100,15 @@ class Found:
         Vertices of the source and of the target and the energy, level by level.
     complete : bool
         Whether the last level has all vertices.
+    stuck : bool
+        Whether the next level could not be matched.
     """
 
     disks: tuple[int, int]
     correspondence: Correspondence | None
     levels: tuple[tuple[int, int, float], ...]
     complete: bool
+    stuck: bool = False
 
 
 def sizes_of_levels(n: int, m: int, first: int) -> list[tuple[int, int]]:
@@ -171,12 +182,8 @@ def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: 
     """The first start that reaches all vertices, or else the one that comes farthest."""
     S, T = ([shape.sharper(attempt.sharpness) for shape in shapes] for shapes in (sources, targets))
     best: Found | None = None
-    tried: list[float] = []
-    for start in _starts(S, T, nodes, attempt):
-        if any(abs(start.levels[0][2] - energy) < _SAME * energy for energy in tried):
-            continue  # a symmetry of the shape
-        tried.append(start.levels[0][2])
-        found = _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start)
+    for start in _race(S, T, nodes, attempt, _starts(S, T, nodes, attempt)):
+        found = start if start.stuck else _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start)
         if found.complete:
             return found
         if best is None or _rank(found) > _rank(best):
@@ -184,12 +191,26 @@ def _try(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attempt: 
     return best
 
 
-def _rank(found: Found) -> tuple[bool, int, float]:
-    """Complete before incomplete; of those by energy, of these by the vertices that they reach."""
+def _race(S: list[Shape], T: list[Shape], nodes: Landmarks, attempt: Attempt, starts: list[Found]) -> list[Found]:
+    """Refine the first starts, the rivals, as far as that is cheap, and put them in order; the others stay behind."""
+    if attempt.rivals == 1:
+        return starts
+    rivals = [
+        _refine(S[start.disks[0]], T[start.disks[1]], nodes, attempt, start, _CHEAP)
+        for start in starts[: attempt.rivals]
+    ]
+    return sorted(rivals, key=_rank, reverse=True) + starts[attempt.rivals :]
+
+
+def _rank(found: Found) -> tuple[bool, int, int, int]:
+    """Complete before incomplete; of those by energy, of these by the vertices that they reach.
+
+    Equal energies are a symmetric shape's: then by how little the shape turns, so that it stays on itself.
+    """
     if not found.levels:
-        return False, 0, 0.0
+        return False, 0, 0, 0
     reached = 0 if found.complete else sum(found.levels[-1][:2])
-    return found.complete, reached, -found.levels[-1][2]
+    return found.complete, reached, -_energy(found), -_turn(found)
 
 
 def _attempts(n: int, m: int, candidates: int | None) -> list[Attempt]:
@@ -214,9 +235,9 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
             candidates = (attempt.even,) * 2 if attempt.literal else even_candidates(*sizes, attempt.even)
             for c in first_level(S, T, sizes, candidates, nodes, attempt.stretch):
                 starts.append(Found((s, t), c, ((*sizes, c.cost + 4.0),), sizes == (len(S), len(T))))
-    starts.sort(key=lambda found: found.levels[0][2])
+    starts.sort(key=_energy)
     if not starts or starts[0].complete:
-        return starts[:1]
+        return sorted(starts, key=_rank, reverse=True)[:1]
     again = []
     for found in starts[: attempt.starts]:
         S, T, sizes = sources[found.disks[0]], targets[found.disks[1]], found.levels[0][:2]
@@ -224,17 +245,32 @@ def _starts(sources: list[Shape], targets: list[Shape], nodes: Landmarks, attemp
         better = next_level(S, T, sizes, found.correspondence, nodes, _AGAIN, attempt.stretch)
         if better is not None:
             again.append(Found(found.disks, better, ((*sizes, better.cost + 4.0),), False))
-    return sorted(again, key=lambda found: found.levels[0][2]) + starts[:1]
+    return sorted(again, key=_energy) + starts[:1]
 
 
-def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found) -> Found:
-    """Go from level to level as far as it goes."""
+def _energy(found: Found) -> int:
+    """The energy of the last level, rounded: equal ones are equal."""
+    return round(found.levels[-1][2] / _SAME)
+
+
+def _turn(found: Found) -> int:
+    """By how much the correspondence turns the source, rounded."""
+    c = found.correspondence
+    assert c is not None  # a level has made one
+    z, w = ((points - points.mean(axis=0)) @ np.array([1.0, 1.0j]) for points in (c.source_points, c.target_points))
+    z, w = z / np.abs(z).max(), w / np.abs(w).max()
+    return round(abs(float(np.angle(np.vdot(z, w)))) / _SAME)
+
+
+def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found, most: int | None = None) -> Found:
+    """Go on from level to level as far as it goes, or to the last one of so many vertices."""
     sizes = sizes_of_levels(len(S), len(T), attempt.first)
     S.prepare([n for n, _ in sizes])
     T.prepare([m for _, m in sizes])
-    last, levels, ahead, divided = start.correspondence, list(start.levels), sizes[:0:-1], 0
+    last, levels, divided = start.correspondence, list(start.levels), 0
     assert last is not None  # the first level has made one
-    while ahead:
+    ahead = [size for size in reversed(sizes) if max(size) > max(levels[-1][:2])]
+    while ahead and (most is None or max(ahead[-1]) <= most):
         n, m = ahead.pop()
         finer = _climb(S, T, (n, m), last, nodes, attempt, 0.0 if (n, m) == sizes[-1] else attempt.stretch)
         if finer is not None:
@@ -243,10 +279,10 @@ def _refine(S: Shape, T: Shape, nodes: Landmarks, attempt: Attempt, start: Found
             continue
         between = _between(levels[-1][:2], (n, m))
         if between is None or divided == _MOST_DIVISIONS:
-            return Found(start.disks, last, tuple(levels), False)
+            return Found(start.disks, last, tuple(levels), False, True)
         ahead += [(n, m), between]
         divided += 1
-    return Found(start.disks, last, tuple(levels), True)
+    return Found(start.disks, last, tuple(levels), not ahead)
 
 
 def _between(coarse: tuple[int, int], fine: tuple[int, int]) -> tuple[int, int] | None:

@@ -31,10 +31,11 @@ from numpy.typing import NDArray
 
 from tween.geometry.predicates import turn
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.matching.chords import Disk, Positions, boundary, straight_lines
+from tween.morphing.matching.chords import FLAT, Disk, Positions, boundary, side_of, straight_lines
 
 MANY = 400  # vertices from which on a curve counts as finely sampled
 _SPACING = 1e-3  # what squares of distances to neighbours count beside areas, on finely sampled curves
+_TURNS = 2.0**30  # parts of a turn, more or less, to which nearly straight vertices are compared
 _APART = 1e-9  # of the curve's length: candidates nearer to each other than this are one
 _Floats = NDArray[np.float64]
 
@@ -89,7 +90,7 @@ def simplify(T: Triangulation, sizes: list[int], fixed: NDArray[np.bool_], sharp
     wanted = np.array(sizes, dtype=np.int64)
     unit = 2.0 ** -np.frexp(np.ptp(T.points, axis=0).max())[1]  # single precision has no room for areas of any size
     weights = (2.0 * sharpness * float(T.areas.sum()) * unit * unit, _SPACING if len(T) > MANY else 0.0)
-    kept, lists, counts = _simplify(T.points * unit, triangles, twin, fixed, wanted, weights)
+    kept, lists, counts = _simplify(T.points * unit, triangles, twin, fixed, wanted, (*weights, least_flat(T)))
     levels = []
     for vertices, rows, count in zip(kept, lists, counts, strict=True):
         levels.append(Level(np.flatnonzero(vertices), np.cumsum(vertices)[rows[: count - 2]] - 1))
@@ -115,6 +116,7 @@ class Shape:
         lengths = np.hypot(edges[:, 0], edges[:, 1])
         self.arc = (np.cumsum(lengths) - lengths) / lengths.sum()
         self.scaled = scaled(T)
+        self.flat = least_flat(T)
         self._levels: dict[int, Level] = {}
 
     def __len__(self) -> int:
@@ -140,7 +142,7 @@ class Shape:
         """The triangles of a level, for walks."""
         twin = Triangulation(self.triangulation.points[level.kept], level.triangles).twin.ravel()
         points = np.ascontiguousarray(self.triangulation.points[level.kept])
-        return Disk(points, level.triangles, twin, boundary(level.triangles, twin))
+        return Disk(points, level.triangles, twin, boundary(level.triangles, twin), self.flat)
 
     def positions(self, level: Level, candidates: _Floats) -> Positions:
         """The vertices of a level and candidates, given by their arcs, on its edges."""
@@ -169,6 +171,25 @@ class Shape:
     def _between(points: _Floats, edge: NDArray[np.int64], share: _Floats) -> _Floats:
         a, b = points[edge], np.roll(points, -1, axis=0)[edge]
         return np.asarray(a + share[:, None] * (b - a))
+
+
+def least_flat(T: Triangulation) -> float:
+    """How flat a triangle must be to count as none, see `.chords.side_of`: zero where T itself has flatter ones.
+
+    Parameters
+    ----------
+    T : Triangulation
+
+    Returns
+    -------
+    float
+    """
+    corners = T.points[T.triangles]
+    u, w = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    size = np.abs(np.concatenate([u, w])).max()
+    u, w = u / size, w / size
+    cross = u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0]
+    return FLAT if (cross > 4.0 * FLAT * (u * u + w * w).sum(axis=1)).all() else 0.0
 
 
 def scaled(T: Triangulation) -> _Floats:
@@ -216,14 +237,15 @@ def _simplify(points, triangles, twin, fixed, sizes, weights):
                 break
             importance[v] = np.inf
             size = _star(triangles, twin, out[v], link, around, past)
-            if not _may_go(points, before, after, v, link[:size]):
+            if not _may_go(points, before, after, v, link, size, weights[2]):
                 continue
             gone[around[size - 2]] = True
             a, b = before[v], after[v]
             alive[v], before[b], after[a], left = False, a, b, left - 1
             _fill(points, triangles, twin, out, size, link, around, past)
             link[size], link[size + 1] = before[a], after[b]
-            for x in link[: size + 2]:
+            for i in range(size + 2):
+                x = link[i]
                 if not fixed[x]:
                     importance[x] = _importance(points, before[x], x, after[x], weights)
         _record(triangles, gone, alive, kept[row], lists[row])
@@ -254,7 +276,7 @@ def _record(triangles, gone, alive, kept, rows):
 @njit(cache=True, inline="always")
 def _importance(points, a, v, b, weights):
     """Twice the area of a, v, b, and something for the turn at v; in single precision, so that equal triangles tie."""
-    sharpness, spacing = weights
+    sharpness, spacing, _ = weights
     ux, uy = points[v, 0] - points[a, 0], points[v, 1] - points[a, 1]
     wx, wy = points[b, 0] - points[v, 0], points[b, 1] - points[v, 1]
     cross, size = ux * wy - uy * wx, (ux + wx) ** 2 + (uy + wy) ** 2
@@ -262,6 +284,7 @@ def _importance(points, a, v, b, weights):
     if abs(cross) <= 1e-12 * size:
         return np.float64(np.float32(apart))
     turned = np.arctan2(cross, ux * wx + uy * wy) / np.pi
+    cross = np.round(cross / size * _TURNS) / _TURNS * size
     return np.float64(np.float32(abs(cross) + sharpness * turned * turned + apart))
 
 
@@ -280,27 +303,39 @@ def _star(triangles, twin, h, link, around, past):
 
 
 @njit(cache=True)
-def _may_go(points, before, after, v, link):
+def _may_go(points, before, after, v, link, size, flat):
     """Whether the curve without v still bounds an immersed disk, see the module."""
-    a, b = link[-1], link[0]
+    a, b = link[size - 1], link[0]
     side = turn(points, a, v, b)
     if side > 0:
-        for x in link[1:-1]:
-            if turn(points, a, b, x) <= 0:
+        for i in range(1, size - 1):
+            if side_of(points[a], points[b], points[link[i]], flat) <= 0:
                 return False
         return True
     if side == 0:
-        return len(link) > 2
+        return size > 2
     p, q = before[a], after[b]
-    full_at_a = turn(points, a, b, p) >= 0 and turn(points, a, p, v) >= 0
-    full_at_b = turn(points, b, v, q) >= 0 and turn(points, b, q, a) >= 0
-    return not (full_at_a or full_at_b)
+    return not (_in_corner(points, a, b, p, v, flat) or _in_corner(points, b, v, q, a, flat))
+
+
+@njit(cache=True)
+def _in_corner(points, o, x, p, y, flat):
+    """Whether p, seen from o, lies between x and y, or so near that a turn decides; y is left of x."""
+    apex, place = points[o], points[p]
+    if side_of(apex, points[x], place, flat) < 0 or side_of(apex, place, points[y], flat) < 0:
+        return False
+    for z in (x, y):  # not behind o
+        if (place[0] - apex[0]) * (points[z, 0] - apex[0]) + (place[1] - apex[1]) * (points[z, 1] - apex[1]) > 0.0:
+            return True
+    return False
 
 
 @njit(cache=True)
 def _fill(points, triangles, twin, out, size, link, around, past):
     """Triangulate the polygon of a link, whose edge from a to b is now on the curve."""
-    polygon, beyond, used = link[:size].copy(), past[: size - 1].copy(), 0
+    polygon, beyond, used = np.empty(size, np.int64), np.empty(size, np.int64), 0
+    for i in range(size):
+        polygon[i], beyond[i] = link[i], past[min(i, size - 2)]
     while size > 2:
         i = _ear(points, polygon, size)
         t = around[used]
@@ -309,8 +344,8 @@ def _fill(points, triangles, twin, out, size, link, around, past):
         _join(triangles, twin, out, 3 * t, beyond[i - 1])
         _join(triangles, twin, out, 3 * t + 1, beyond[i])
         beyond[i - 1] = 3 * t + 2
-        polygon[i : size - 1] = polygon[i + 1 : size].copy()
-        beyond[i : size - 2] = beyond[i + 1 : size - 1].copy()
+        for m in range(i, size - 1):
+            polygon[m], beyond[m] = polygon[m + 1], beyond[min(m + 1, size - 2)]
         size -= 1
     _join(triangles, twin, out, beyond[0], -1)
 
