@@ -57,7 +57,8 @@ def arc_tangent(y, x):
     steep = y > abs(x)
     small, large = (abs(x), y) if steep else (y, abs(x))
     turned = small > 0.66 * large  # by 45 degrees, towards 0
-    u = (small - large if turned else small) / (small + large if turned else large)
+    below = small + large if turned else large
+    u = (small - large if turned else small) / below if below > 0.0 else math.nan
     w = u * u
     p = _NUMERATOR[0] + w * (_NUMERATOR[1] + w * (_NUMERATOR[2] + w * (_NUMERATOR[3] + w * _NUMERATOR[4])))
     q = _DENOMINATOR[0] + w * (

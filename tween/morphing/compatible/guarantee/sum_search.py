@@ -19,7 +19,7 @@ ROUNDING = 1e-9
 
 _FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
 _PARTS = (_TIMES - 1) // (_FEW_TIMES - 1)  # of a long interval
-_AT_ONCE = 128  # triangles whose angles are bounded in all intervals rather than in each that is in doubt
+_AT_ONCE = 2**12  # cells that are looked at together, needed or not, as that is quicker than one interval after another
 _ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
 
 
@@ -92,13 +92,13 @@ class SumSearch:
         self._asked[self._corners[rows]] = True
 
     def _refine(self, fresh: NDArray[np.bool_]) -> None:
-        """Bound the angles of cells, (m, long intervals), in their parts; those of few triangles in all intervals."""
+        """Bound the angles of cells, (m, l), in their parts, and those of others in intervals beside."""
         rows, known = np.flatnonzero(fresh.any(axis=1)), self._count
-        if len(rows) <= _AT_ONCE:
-            self._bound(rows, 0, _FEW_TIMES - 1)
-        else:
-            for f in np.flatnonzero(fresh.any(axis=0)).tolist():
-                self._bound(np.flatnonzero(fresh[:, f]), f, f + 1)
+        width = min(fresh.shape[1], max(1, _AT_ONCE // max(1, len(rows))))
+        for f in range(0, fresh.shape[1], width):
+            rows = np.flatnonzero(fresh[:, f : f + width].any(axis=1))
+            if len(rows):
+                self._bound(rows, f, min(f + width, fresh.shape[1]))
         self._reach_plain(self._plain, known)
 
     def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
