@@ -186,8 +186,8 @@ def _in_their_parts(doubtful, corners, fine, cells, slack):
                 if doubtful[v, f]:
                     for g in range(fine.shape[2]):
                         sums[places[v, f], g] += fine[cells[i, f], s, g]
-    for v in np.flatnonzero(some):
-        for f in range(slack.shape[1]):
+    for v in range(len(slack)):
+        for f in range(slack.shape[1] if some[v] else 0):
             if doubtful[v, f]:
                 slack[v, f] = math.inf
                 for total in sums[places[v, f]]:
