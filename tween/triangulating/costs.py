@@ -113,9 +113,9 @@ def conformal_distortion(source: NDArray[np.float64], target: NDArray[np.float64
     """
 
     def cost(triangles: NDArray[np.int64]) -> NDArray[np.float64]:
-        e, f = (_edges(points[triangles]) @ np.array([1.0, 1.0j]) for points in (source, target))
-        turned = f[:, 0] * e[:, 1] - f[:, 1] * e[:, 0]
-        straight = f[:, 0] * e[:, 1].conj() - f[:, 1] * e[:, 0].conj()
+        (e, g), (f, h) = (_complex_edges(points, triangles) for points in (source, target))
+        turned = f * g - h * e
+        straight = f * g.conj() - h * e.conj()
         larger, smaller = np.abs(straight) + np.abs(turned), np.abs(straight) - np.abs(turned)
         with np.errstate(divide="ignore"):
             return np.asarray(larger / smaller)
@@ -126,6 +126,14 @@ def conformal_distortion(source: NDArray[np.float64], target: NDArray[np.float64
 def _edges(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Edge opposite each corner, (m, 3, 2)."""
     return np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
+
+
+def _complex_edges(
+    points: NDArray[np.float64], triangles: NDArray[np.int64]
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Edges opposite the first and the second corner, as complex numbers."""
+    a, b, c = np.ascontiguousarray(points, dtype=np.float64).view(np.complex128)[:, 0][triangles].T
+    return c - b, a - c
 
 
 @njit(cache=True, error_model="numpy")

@@ -82,7 +82,7 @@ class Leg:
         self._angles = base_angles(self._thirds[0]), base_angles(self._thirds[1])
         self._children = self._places_of_children()
         self._centres = self._start[0].mean(), self._end[0].mean()
-        self.budgets = no_budgets(len(self._corners))
+        self.budgets, self._budgeted = no_budgets(len(self._corners)), np.empty(0, np.int64)  # triangles that have some
         self._alone = reserve is None  # not one of very many legs of a flow, each of which would hold its bounds
         self._first_bounds: tuple[NDArray[np.float64], Bounds] | None = None
         if guarantee:
@@ -174,6 +174,7 @@ class Leg:
         elif self._path != "angle":
             kept = np.minimum(left, default_reserve(self._corners, *self._angles) if reserve is None else reserve)
             self.budgets, proved = proved_budgets(self._corners, *self._angles, self._largest_angles, kept)
+            self._budgeted = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
             self._slack = np.where(np.isnan(proved), kept, proved)
 
     def _doubtful(self, path: AreaPath, left: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -214,10 +215,9 @@ class Leg:
         slack = (1 - t)[:, None] * self._slack[0] + t[:, None] * self._slack[1]
         slack = np.minimum(slack[:-1], slack[1:]).T.copy()
         low, high = self._all_bounds(t)
-        rows = np.flatnonzero(np.isfinite(self.budgets.low).any(axis=1))
-        if len(rows):
-            within_budgets(low, high, rows, *self.budgets, t)
-        return Layout(low, high, *self._base_lengths(t, None if len(rows) else self._path), slack)
+        if len(self._budgeted):
+            within_budgets(low, high, self._budgeted, *self.budgets, t)
+        return Layout(low, high, *self._base_lengths(t, None if len(self._budgeted) else self._path), slack)
 
     def _base_lengths(self, t: NDArray[np.float64], path: Path | None) -> Bounds:
         """Bounds of the lengths of bases between neighbouring times, nan where they are to be carried down the tree."""
@@ -261,7 +261,7 @@ class Leg:
         else:
             z = third_vertices(self._path, *self._thirds, self._propagates, self._stretch, t)
         e = root_base(self._start[0], self._end[0], self._path == "metric", t)
-        budgets = self.budgets if np.isfinite(self.budgets.low).any() else None
+        budgets = self.budgets if len(self._budgeted) else None
         shapes = hang(self._corners, self._children, z, e, t, path, budgets)
         return shapes, z
 

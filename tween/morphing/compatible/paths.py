@@ -166,13 +166,18 @@ def _by_metric(source, target, stretch, times):
     """
     z = np.empty((source.size, times.size), np.complex128)
     for i in range(source.size):
-        x1, x2, square = source[i].real, target[i].real, stretch[i] * stretch[i]
-        y1, y2, apart = source[i].imag ** 2, target[i].imag ** 2, (x1 - x2) ** 2
+        square = stretch[i] * stretch[i]
         for f in range(times.size):
-            s, weight = 1.0 - times[f], times[f] * square
-            p, q = s / (s + weight), weight / (s + weight)
-            z[i, f] = complex(p * x1 + q * x2, math.sqrt(p * y1 + q * y2 + p * q * apart))
+            z[i, f] = complex(*metric_third(source[i], target[i], square, times[f]))
     return z
+
+
+@njit(cache=True, inline="always")
+def metric_third(source, target, square, t):
+    """Coordinates of a third vertex along the path "metric", see `_by_metric`."""
+    x1, x2, s, weight = source.real, target.real, 1.0 - t, t * square
+    p, q = s / (s + weight), weight / (s + weight)
+    return p * x1 + q * x2, math.sqrt(p * source.imag**2 + q * target.imag**2 + p * q * (x1 - x2) ** 2)
 
 
 def slides(

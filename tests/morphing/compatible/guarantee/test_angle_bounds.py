@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from tween import Triangulation, certify, gallery, morph, paper_morph, remesh, triangulate
 from tween.choices import PATHS, Path
 from tween.morphing.compatible.guarantee.angle_bounds import angle_bounds
-from tween.morphing.compatible.guarantee.angle_budgets import vertex_sums
+from tween.morphing.compatible.guarantee.sum_search import vertex_sums
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.compatible.paths import corner_angles, third_vertices
 

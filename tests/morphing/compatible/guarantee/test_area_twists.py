@@ -69,3 +69,19 @@ def test_letters_whose_areas_change_quickly_close_to_the_disk_are_proved_without
     T = triangulate(gallery.letter(letter))
     leg = Leg(T, T.on_disk().points, "area", root_triangle("disk-center", T, T.on_disk()), guarantee=True)
     assert (leg.area_path.blend == 0).all()
+
+
+def test_twists_that_help_less_and_less_come_to_an_end():
+    corners = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4]])
+    thirds = np.full((3, 3), np.pi / 3)
+    calls = []
+
+    def angles_at(t, path):
+        calls.append(path)
+        return np.full((3, 3, len(t)), 2.5 + 1 / len(calls))
+
+    found = kept_below_full_turn(
+        straight_area_path(np.ones((3, 2)), thirds, thirds), corners, np.full((2, 5), 0.1), angles_at, lambda p: 1 < 0
+    )
+    assert 4000 < len(calls) < 4200
+    assert (found.blend == 1).all()

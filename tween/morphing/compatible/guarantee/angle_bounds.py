@@ -38,16 +38,12 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.choices import Path
-from tween.morphing.compatible.paths import (
-    base_angles,
-    path_lengths,
-    slides,
-    third_angle,
-    third_vertices,
-)
+from tween.morphing.compatible.guarantee.quick_trigonometry import arc_tangent
+from tween.morphing.compatible.paths import base_angles, metric_third, path_lengths, slides, third_vertices
 
 _ROUNDING = 2.0**-47  # relative, added to the boxes: more than the rounding of z
 _ROUNDING_OF_LENGTHS = 1e-7  # relative: the square root of what rounding makes of a difference of squares
+_CELLS = 2**11  # numbers that are looked at together
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
@@ -93,13 +89,13 @@ def angle_bounds(
     if path == "angle":
         first, last = base_angles(source)[..., None], base_angles(target)[..., None]
         return _between_ends((1 - times) * first + times * last)
-    z = third_vertices(path, source, target, propagates, stretch, times)
     high = np.empty((len(source), 3, len(times) - 1))
     low = np.empty_like(high) if both else high[:0]
     if path == "metric":
-        _from_ends(z, low, high)
+        _from_ends(source, target, stretch, times, low, high)
         _add_peaks(low, high, source, target, stretch, times)
         return low, high
+    z = third_vertices(path, source, target, propagates, stretch, times)
     bends = np.asarray(slides(source, target, propagates & (path == "slide")).any(axis=1))
     lengths = path_lengths(source, target, propagates & bends[:, None])
     _from_boxes(z, bends, lengths, np.minimum(source.imag, target.imag), times, low, high)
@@ -112,62 +108,102 @@ def _between_ends(angles: NDArray[np.float64]) -> Bounds:
     return np.minimum(before, after), np.maximum(before, after)
 
 
-@njit(cache=True)
-def _from_ends(z, low, high):
-    """The smaller and the larger of the angles of third vertices z, (m, k), at neighbouring times; nan stays nan."""
-    for i in range(z.shape[0]):
-        before = (0.0, 0.0, 0.0)
-        for f in range(z.shape[1]):
-            x, y = z[i, f].real, z[i, f].imag
-            after = math.atan2(y, x), math.atan2(y, 1.0 - x), third_angle(x, y)
-            if f > 0:
-                for s in range(3):
-                    p, q = before[s], after[s]
-                    p, q = (p, q) if p < q else (q, p) if q <= p else (math.nan, math.nan)
-                    high[i, s, f - 1] = q
-                    if len(low):
-                        low[i, s, f - 1] = p
-            before = after
+@njit(cache=True, error_model="numpy")
+def _from_ends(source, target, stretch, times, low, high):
+    """The smaller and the larger of the angles along the path "metric" at neighbouring times; nan stays nan."""
+    m, k = len(source), len(times)
+    rows = _rows(k)
+    x, y, angles = np.empty(rows * k), np.empty(rows * k), np.empty((3, rows * k))
+    of_a, of_b, of_c = angles[0], angles[1], angles[2]
+    for first in range(0, m, rows):
+        last = min(first + rows, m)
+        for i in range(first, last):
+            row, square = (i - first) * k, stretch[i] * stretch[i]
+            for f in range(k):
+                x[row + f], y[row + f] = metric_third(source[i], target[i], square, times[f])
+        for j in range((last - first) * k):  # loops without branches, for several at a time
+            of_a[j], of_b[j] = arc_tangent(y[j], x[j]), arc_tangent(y[j], 1.0 - x[j])
+        for j in range((last - first) * k):
+            of_c[j] = arc_tangent(y[j], x[j] * (x[j] - 1.0) + y[j] * y[j])
+        for i in range(first, last):
+            for s in range(3):
+                before, after = angles[s, (i - first) * k :], angles[s, (i - first) * k + 1 :]
+                for f in range(k - 1):
+                    high[i, s, f] = (
+                        after[f] if before[f] < after[f] else (before[f] if after[f] <= before[f] else math.nan)
+                    )
+                for f in range(k - 1 if len(low) else 0):
+                    low[i, s, f] = (
+                        before[f] if before[f] < after[f] else (after[f] if after[f] <= before[f] else math.nan)
+                    )
 
 
 @njit(cache=True)
+def _rows(k):
+    """How many rows of k numbers are looked at together: enough for loops over them all, few enough for the cache."""
+    return max(1, _CELLS // k)
+
+
+@njit(cache=True, error_model="numpy")
 def _from_boxes(z, bends, lengths, floors, times, low, high):
     """Bounds of angles from the boxes of third vertices z, (m, k); floors and lengths are those of whole paths."""
-    for i in range(z.shape[0]):
-        for f in range(z.shape[1] - 1):
-            p, q = z[i, f], z[i, f + 1]
-            wide = _ROUNDING * max(abs(p), abs(q))
-            low_y, high_y = min(p.imag, q.imag) * (1.0 - _ROUNDING), max(p.imag, q.imag) * (1.0 + _ROUNDING)
-            if bends[i]:
-                length = lengths[i] * (times[f + 1] - times[f])
-                floor = floors[i] - wide
-                wide += 0.5 * math.sqrt(max(length * length - abs(q - p) ** 2, 0.0)) + _ROUNDING_OF_LENGTHS * length
-                low_y, high_y = max(low_y - wide, floor, 0.0), high_y + wide
-            low_x, high_x = min(p.real, q.real) - wide, max(p.real, q.real) + wide
-            high[i, 0, f], high[i, 1, f], high[i, 2, f] = _largest_in_box(low_x, high_x, low_y, high_y)
-            if len(low):
-                low[i, 0, f], low[i, 1, f], low[i, 2, f] = _least_in_box(low_x, high_x, low_y, high_y)
+    m, intervals = len(z), z.shape[1] - 1
+    rows = _rows(intervals)
+    boxes, angles = np.empty((4, min(m, rows), intervals)), np.empty((3, min(m, rows), intervals))
+    for first in range(0, m, rows):
+        last = min(first + rows, m)
+        for i in range(first, last):
+            for f in range(intervals):
+                p, q = z[i, f], z[i, f + 1]
+                wide = _ROUNDING * max(abs(p.real) + p.imag, abs(q.real) + q.imag)
+                low_y, high_y = min(p.imag, q.imag) * (1.0 - _ROUNDING), max(p.imag, q.imag) * (1.0 + _ROUNDING)
+                if bends[i]:
+                    length, step = lengths[i] * (times[f + 1] - times[f]), q - p
+                    floor = floors[i] - wide
+                    square = step.real * step.real + step.imag * step.imag
+                    wide += 0.5 * math.sqrt(max(length * length - square, 0.0)) + _ROUNDING_OF_LENGTHS * length
+                    low_y, high_y = max(low_y - wide, floor, 0.0), high_y + wide
+                boxes[0, i - first, f], boxes[1, i - first, f] = min(p.real, q.real) - wide, max(p.real, q.real) + wide
+                boxes[2, i - first, f], boxes[3, i - first, f] = low_y, high_y
+        _largest_in_boxes(boxes.reshape((4, -1)), angles.reshape((3, -1)))
+        for i in range(first, last):
+            high[i] = angles[:, i - first]
+        if len(low):
+            _least_in_boxes(boxes.reshape((4, -1)), angles.reshape((3, -1)))
+            for i in range(first, last):
+                low[i] = angles[:, i - first]
 
 
-@njit(cache=True)
-def _largest_in_box(low_x, high_x, low_y, high_y):
-    """Bounds from above of the three angles of a third vertex in a box."""
-    a = math.atan2(high_y if low_x > 0.0 else low_y, low_x)
-    b = math.atan2(high_y if high_x < 1.0 else low_y, 1.0 - high_x)
-    x = min(max(0.5, low_x), high_x)
-    y = min(max(math.sqrt(max(x * (x - 1.0), 0.0)), low_y), high_y)
-    return a, b, third_angle(x, y)
+@njit(cache=True, error_model="numpy")
+def _largest_in_boxes(boxes, angles):
+    """Bounds from above of the three angles, (3, j), of third vertices in boxes, (4, j); a loop for each is quicker."""
+    low_x, high_x, low_y, high_y = boxes[0], boxes[1], boxes[2], boxes[3]
+    of_a, of_b, of_c = angles[0], angles[1], angles[2]
+    for j in range(low_x.size):
+        of_a[j] = arc_tangent(high_y[j] if low_x[j] > 0.0 else low_y[j], low_x[j])
+    for j in range(low_x.size):
+        of_b[j] = arc_tangent(high_y[j] if high_x[j] < 1.0 else low_y[j], 1.0 - high_x[j])
+    for j in range(low_x.size):
+        x = min(max(0.5, low_x[j]), high_x[j])
+        y = min(max(math.sqrt(max(x * (x - 1.0), 0.0)), low_y[j]), high_y[j])
+        of_c[j] = arc_tangent(y, x * (x - 1.0) + y * y)
 
 
-@njit(cache=True)
-def _least_in_box(low_x, high_x, low_y, high_y):
-    """Bounds from below of the three angles of a third vertex in a box."""
-    a = math.atan2(low_y if high_x > 0.0 else high_y, high_x)
-    b = math.atan2(low_y if low_x < 1.0 else high_y, 1.0 - low_x)
-    far = low_x if abs(low_x - 0.5) > abs(high_x - 0.5) else high_x
-    # the smaller angle is that of the vector to the right: one arc tangent does
-    low_d, high_d = far * (far - 1.0) + low_y * low_y, far * (far - 1.0) + high_y * high_y
-    return a, b, third_angle(far, low_y if low_d * high_y > high_d * low_y else high_y)
+@njit(cache=True, error_model="numpy")
+def _least_in_boxes(boxes, angles):
+    """Bounds from below of the three angles, (3, j), of third vertices in boxes, (4, j)."""
+    low_x, high_x, low_y, high_y = boxes[0], boxes[1], boxes[2], boxes[3]
+    of_a, of_b, of_c = angles[0], angles[1], angles[2]
+    for j in range(low_x.size):
+        of_a[j] = arc_tangent(low_y[j] if high_x[j] > 0.0 else high_y[j], high_x[j])
+    for j in range(low_x.size):
+        of_b[j] = arc_tangent(low_y[j] if low_x[j] < 1.0 else high_y[j], 1.0 - low_x[j])
+    for j in range(low_x.size):
+        x = low_x[j] if abs(low_x[j] - 0.5) > abs(high_x[j] - 0.5) else high_x[j]
+        # the smaller angle is that of the vector to the right: one arc tangent does
+        low_d, high_d = x * (x - 1.0) + low_y[j] * low_y[j], x * (x - 1.0) + high_y[j] * high_y[j]
+        lower = low_d * high_y[j] > high_d * low_y[j]
+        of_c[j] = arc_tangent(low_y[j] if lower else high_y[j], low_d if lower else high_d)
 
 
 @njit(cache=True)
@@ -189,11 +225,11 @@ def _add_peaks(low, high, source, target, stretch, times):
                 continue
             largest = max(abs(e0), abs(e1))
             s, t = abs(e1) / largest, abs(e0) / largest
-            double_area = math.sqrt(s * s * p + s * t * mixed + t * t * q) * stretch[i]
-            there = math.atan2(double_area, s * g0 + t * g1)
             when = t / (s + t)
             if when < times[0] - _ROUNDING or when > times[-1] + _ROUNDING:
                 continue
+            double_area = math.sqrt(s * s * p + s * t * mixed + t * t * q) * stretch[i]
+            there = math.atan2(double_area, s * g0 + t * g1)
             f = min(max(np.searchsorted(times, when, side="right") - 1, 0), times.size - 2)
             if len(low):
                 low[i, corner, f] = min(low[i, corner, f], there)

@@ -34,13 +34,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from tween.morphing.compatible.guarantee.sum_search import ROUNDING, SumSearch
 from tween.morphing.compatible.paths import apex, third_angle
 
-_FEW_TIMES, _TIMES = 17, 129  # at which angles are looked at
 RESERVE = 2.0**-6  # of what a vertex has left below 2 pi; budgets never touch it
-_ROUNDING = 1e-9  # of a sum of angles
-_AT_ONCE = 128  # triangles whose angles are bounded in all intervals rather than in each that is in doubt
-_ENOUGH = 2.0**-7  # radians left in a long interval, which then need not be divided
 
 
 class Budgets(NamedTuple):
@@ -176,123 +173,18 @@ def proved_budgets(
     Most vertices are proved by bounds in a few long intervals; those are divided, which makes bounds tighter, only
     around the others, and for them only where little is left.  Seldom more costly than 129 frames.
     """
-    search = _Search(corners, first, last, bounds)
+    search = SumSearch(corners, first, last, bounds)
     vertices = np.zeros(corners.max() + 1, dtype=np.bool_)
     while True:
-        slack = search.slack()
+        slack = search.slack(vertices)
         over = (slack <= 0) & ~vertices
         if not over.any():
             budgets = (
                 budgets_at(vertices, corners, first, last, reserve) if vertices.any() else no_budgets(len(corners))
             )
-            return budgets, np.where(vertices, np.nan, slack + _ROUNDING)
+            return budgets, np.where(vertices, np.nan, slack + ROUNDING)
         vertices |= over
         search.reach_plain(vertices)
-
-
-class _Search:
-    """Bounds of all angles in long intervals of time, and in the parts of these where that does not do."""
-
-    def __init__(
-        self,
-        corners: NDArray[np.int64],
-        first: NDArray[np.float64],
-        last: NDArray[np.float64],
-        bounds: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.float64]],
-    ) -> None:
-        self._corners, self._first, self._last, self._bounds = corners, first, last, bounds
-        self._few, self._many = np.linspace(0.0, 1.0, _FEW_TIMES), np.linspace(0.0, 1.0, _TIMES)
-        self._rough, self._fine = bounds(self._few, np.arange(len(corners))), np.zeros((len(corners), 3, _TIMES - 1))
-        self._known = np.zeros((len(corners), _FEW_TIMES - 1), dtype=np.bool_)
-        self._plain: NDArray[np.bool_] = np.zeros(len(corners), dtype=np.bool_)
-
-    def slack(self) -> NDArray[np.float64]:
-        """What every vertex has left below 2 pi at least, but for roundings; shape (n,)."""
-        slack = _left(vertex_sums(self._corners, self._rough, self._corners.max() + 1))
-        doubtful = (slack <= 0).any(axis=1, keepdims=True) & (slack <= _ENOUGH)
-        if doubtful.any():
-            self._refine(_touched(doubtful, self._corners) & ~self._known)
-            slack = np.where(doubtful, _left(largest_sums_in(doubtful, self._corners, self._fine)), slack)
-        return np.asarray(slack.min(axis=1))
-
-    def reach_plain(self, vertices: NDArray[np.bool_]) -> None:
-        """Let the bounds of triangles with a budgeted corner reach the path "angle"."""
-        self._plain = _touched(vertices, self._corners)
-        for angles, times in ((self._rough, self._few), (self._fine, self._many)):
-            _reach_plain(angles, self._plain, self._first, self._last, times)
-
-    def _refine(self, fresh: NDArray[np.bool_]) -> None:
-        """Bound the angles of triangles in the parts of long intervals, (m, long intervals)."""
-        parts, rows = (_TIMES - 1) // (_FEW_TIMES - 1), np.flatnonzero(fresh.any(axis=1))
-        if len(rows) <= _AT_ONCE:
-            self._bound(rows, 0, _TIMES - 1)
-            self._known[rows] = True
-            return
-        for f in np.flatnonzero(fresh.any(axis=0)).tolist():
-            self._bound(np.flatnonzero(fresh[:, f]), f * parts, (f + 1) * parts)
-        self._known |= fresh
-
-    def _bound(self, rows: NDArray[np.int64], start: int, stop: int) -> None:
-        """Bound the angles of some triangles in some of the parts."""
-        times = self._many[start : stop + 1]
-        angles = self._bounds(times, rows)
-        _reach_plain(angles, self._plain[rows], self._first[rows], self._last[rows], times)
-        self._fine[rows, :, start:stop] = angles
-
-
-def _touched(some: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which triangles have a corner among some vertices, (n,), or (n, l) in each of several intervals."""
-    a, b, c = corners.T
-    return np.asarray(some[a] | some[b] | some[c])
-
-
-def _left(sums: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.nan_to_num(2 * np.pi - sums, nan=-1.0) - _ROUNDING
-
-
-@njit(cache=True)
-def _reach_plain(angles, rows, first, last, times):
-    """Raise bounds of angles, (m, 3, k-1), in some rows to those of the path "angle"; nan stays nan."""
-    for i in np.flatnonzero(rows):
-        for s in range(3):
-            before = (1 - times[0]) * first[i, s] + times[0] * last[i, s]
-            for f in range(times.size - 1):
-                after = (1 - times[f + 1]) * first[i, s] + times[f + 1] * last[i, s]
-                angles[i, s, f] = max(angles[i, s, f], max(before, after)) if angles[i, s, f] >= 0.0 else math.nan
-                before = after
-
-
-@njit(cache=True)
-def largest_sums_in(asked, corners, angles):
-    """The largest sums of angles, (m, 3, k), at vertices within long intervals, (n, l), where asked for; nan stays."""
-    n, intervals = asked.shape
-    parts = angles.shape[2] // intervals
-    sums, largest = np.zeros((n, angles.shape[2])), np.zeros((n, intervals))
-    for i in range(len(corners)):
-        for s in range(3):
-            v = corners[i, s]
-            for f in range(intervals):
-                for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
-                    sums[v, g] += angles[i, s, g]
-    for v in range(n):
-        for f in range(intervals):
-            for g in range(f * parts, (f + 1) * parts if asked[v, f] else 0):
-                if not sums[v, g] <= largest[v, f]:
-                    largest[v, f] = sums[v, g]
-                if sums[v, g] != sums[v, g]:
-                    break
-    return largest
-
-
-@njit(cache=True)
-def vertex_sums(corners, angles, n):
-    """Sums of angles, (m, 3, k), at each vertex, (n, k)."""
-    sums = np.zeros((n, angles.shape[2]))
-    for i in range(len(corners)):
-        for s in range(3):
-            for f in range(angles.shape[2]):
-                sums[corners[i, s], f] += angles[i, s, f]
-    return sums
 
 
 @njit(cache=True)

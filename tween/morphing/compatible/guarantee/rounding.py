@@ -36,6 +36,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.geometry.predicates import EXACT_RANGE
+from tween.morphing.compatible.guarantee.quick_trigonometry import sine_up_to_pi
 
 _UNIT = 2.0**-53
 _ANGLE_ERROR = 2.0**-48
@@ -196,12 +197,17 @@ def cut(start: float, end: float) -> NDArray[np.float64]:
     return parts[parts[:, 0] < parts[:, 1]]
 
 
-@njit(cache=True, inline="always")
-def _sines(low, high):
-    """The least and the greatest sine of an angle within bounds."""
-    low, high = max(low - _ANGLE_ERROR, 0.0), min(high + _ANGLE_ERROR, math.pi)
-    first, last = math.sin(low), max(math.sin(high), 0.0)
-    return min(first, last), 1.0 if low < 0.5 * math.pi < high else max(first, last)
+@njit(cache=True, error_model="numpy")
+def _sines(low, high, f, least, greatest):
+    """The least and the greatest sine of each angle, (m, 3), within bounds, (m, 3, k), in interval f."""
+    first, last = least.ravel(), greatest.ravel()
+    for i in range(len(low)):
+        for s in range(3):
+            least[i, s], greatest[i, s] = low[i, s, f], high[i, s, f]
+    for j in range(first.size):  # without branches, for several at a time
+        p, q = max(first[j] - _ANGLE_ERROR, 0.0), min(last[j] + _ANGLE_ERROR, math.pi)
+        sine, other = sine_up_to_pi(p), max(sine_up_to_pi(q), 0.0)
+        first[j], last[j] = min(sine, other), 1.0 if p < 0.5 * math.pi < q else max(sine, other)
 
 
 @njit(cache=True)
@@ -210,9 +216,16 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
     m, intervals = near.shape
     found = np.zeros((intervals, 4))
     way, errors, spent = np.empty(m + 2), np.empty(m + 2), np.empty(m + 2)
-    depth, edges, heights, sines = np.zeros(m), np.empty((m, 2)), np.empty(m), np.empty((m, 2))
+    depth, edges, heights, least, greatest = (
+        np.zeros(m),
+        np.empty((m, 2)),
+        np.empty(m),
+        np.empty((m, 3)),
+        np.empty((m, 3)),
+    )
     for f in range(intervals):
-        areas = _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights, sines)
+        _sines(low, high, f, least, greatest)
+        areas = _carry(corners, children, least, greatest, near, far, f, depth, way, errors, edges, heights)
         extent = way.max()
         shrunk, grown = 1.0, 1.0
         if placing[1] > 0.0:
@@ -223,30 +236,27 @@ def check_intervals(corners, children, low, high, near, far, slack, placing):
             continue
         errors += _UNIT * (24.0 * extent + 4.0 * placing[0] / shrunk) + 2.0 * EXACT_RANGE[0] / shrunk
         spent[:] = 0.0
-        _spend(corners, children, f, near, errors, edges, sines, spent)
+        _spend(corners, children, f, near, errors, edges, least, greatest, spent)
         _judge(corners, heights, errors, spent, slack, f, found)
     return found
 
 
 @njit(cache=True, inline="always")
-def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges, heights, sines):
-    """Carry lengths and errors down the tree; least heights and some sines too, and bounds of the total area."""
-    least, greatest = 0.0, 0.0
+def _carry(corners, children, least, greatest, near, far, f, depth, way, errors, edges, heights):
+    """Carry lengths and errors down the tree, and least heights; returns bounds of the total area."""
+    smallest, largest = 0.0, 0.0
     way[corners[0, 0]], way[corners[0, 1]] = 0.0, far[0, f]
     errors[corners[0, 0]], errors[corners[0, 1]] = 0.0, 0.0
     for i in range(len(corners)):
         a, c = corners[i, 0], corners[i, 2]
-        (a0, a1), (b0, b1), (c0, c1) = (
-            _sines(low[i, 0, f], high[i, 0, f]),
-            _sines(low[i, 1, f], high[i, 1, f]),
-            _sines(low[i, 2, f], high[i, 2, f]),
-        )
+        a0, b0, c0 = least[i, 0], least[i, 1], least[i, 2]
+        a1, b1, c1 = greatest[i, 0], greatest[i, 1], greatest[i, 2]
         shorter, longer = near[i, f] / c1, (far[i, f] / c0 if c0 > 0.0 else math.inf)
         bc, ca = (a0 * shorter, a1 * longer), (b0 * shorter, b1 * longer)
-        edges[i, 0], edges[i, 1], sines[i, 0], sines[i, 1] = bc[0], ca[0], a0, b1
+        edges[i, 0], edges[i, 1] = bc[0], ca[0]
         heights[i] = min(max(ca[0] * a0, bc[0] * b0), near[i, f] * min(a0, b0))
-        least += 0.5 * near[i, f] * max(ca[0] * a0, bc[0] * b0)
-        greatest += 0.5 * far[i, f] * min(ca[1] * a1, bc[1] * b1)
+        smallest += 0.5 * near[i, f] * max(ca[0] * a0, bc[0] * b0)
+        largest += 0.5 * far[i, f] * min(ca[1] * a1, bc[1] * b1)
         way[c] = way[a] + ca[1]
         errors[c] = errors[a] + _UNIT * (8.0 * (depth[i] + 1.0) * ca[1] + 2.0 * way[c])
         for s in range(3 if i == 0 else 2):
@@ -256,15 +266,15 @@ def _carry(corners, children, low, high, near, far, f, depth, way, errors, edges
                 if not near[child, f] >= 0.0:
                     ends = bc if s == 0 else (ca if s == 1 else (near[0, f], far[0, f]))
                     near[child, f], far[child, f] = ends
-    return least, greatest
+    return smallest, largest
 
 
 @njit(cache=True, inline="always")
-def _spend(corners, children, f, near, errors, edges, sines, spent):
+def _spend(corners, children, f, near, errors, edges, least, greatest, spent):
     """Add up what each vertex needs: the turns of its boundary edges, and the roundings of its angles."""
     for i in range(len(corners)):
         a, b, c = corners[i, 0], corners[i, 1], corners[i, 2]
-        a0, b1 = sines[i, 0], sines[i, 1]  # the least sine of a, the greatest of b
+        a0, b1 = least[i, 0], greatest[i, 1]  # sines
         of_z = _ANGLE_ERROR * (2.0 + (b1 / a0 if a0 > 0.0 else math.inf))
         spent[a] += 2.0 * _ANGLE_ERROR
         spent[b] += of_z
