@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tween import Triangulation, area_matrix, frame_variance
+from tween import Morph, Triangulation, area_matrix, frame_variance
 from tween.choices import Path, Root
 from tween.geometry.dual_tree import rooted
-from tween.measuring.metrics import rank_of
 from tween.morphing.compatible.leg import root_triangle
 from tween.morphing.compatible.paths import slides
 from tween.morphing.strategy import morph_compatible
@@ -33,7 +32,8 @@ QUANTILES = {"min": 0.0, "q05": 0.05, "q25": 0.25, "median": 0.5, "q75": 0.75, "
 def measures(A: NDArray[np.float64], tolerances: Iterable[float] = PARAMETERS["tolerances"]) -> list[float]:
     """AR at every tolerance, then Var, of an area matrix."""
     singular = np.linalg.svd(A, compute_uv=False)
-    return [*(rank_of(singular, rtol) for rtol in tolerances), frame_variance(A)]
+    limits = np.array(list(tolerances)) * singular[0]
+    return [*(singular[:, None] > limits).sum(axis=0).tolist(), frame_variance(A)]
 
 
 def certain_ranks(A: NDArray[np.float64], tolerances: Sequence[float]) -> tuple[list[int], list[int]]:
@@ -89,15 +89,24 @@ def areas_to_disk(
     frames: int = PARAMETERS["frames"],
     root: Root | None = None,
 ) -> NDArray[np.float64]:
-    """The area matrix of the morph to a disk, vertex i to vertex i, in the morph's own time."""
+    """The area matrix of the morph to a disk, see `morph_to_disk`."""
+    return area_matrix(morph_to_disk(T, disk, path, root), frames)
+
+
+def morph_to_disk(T: Triangulation, disk: NDArray[np.float64], path: Path, root: Root | None = None) -> Morph:
+    """The morph to a disk, vertex i to vertex i, in the morph's own time, placed by the root."""
     root = PARAMETERS["root"] if root is None else root
-    m = morph_compatible(T, T.moved(disk), path, guarantee=False, placement="root", root=root, pace="time")
-    return area_matrix(m, frames)
+    return morph_compatible(T, T.moved(disk), path, guarantee=False, placement="root", root=root, pace="time")
+
+
+def usual_root(T: Triangulation, disk: NDArray[np.float64]) -> int:
+    """The root of the morph to a disk, found once for all paths."""
+    return root_triangle(PARAMETERS["root"], T, T.moved(disk))
 
 
 def hung(T: Triangulation, disk: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
     """Corners a, b, c of each triangle, ab its base, and whether ca and bc are propagation edges; the root as usual."""
-    tree = rooted(T, root_triangle(PARAMETERS["root"], T, T.moved(disk)))
+    tree = rooted(T, usual_root(T, disk))
     slots = (tree.base[:, None] + np.arange(3)) % 3
     corners, across = (np.take_along_axis(values, slots, axis=1) for values in (T.triangles, T.twin))
     return corners, across[:, [2, 1]] >= 0

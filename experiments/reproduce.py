@@ -1,8 +1,10 @@
 """Everything: studies, figures, animations, notebooks, report; says what it does and how long each step took.
 
 Two steps run side by side, each as soon as those are done whose results it reads, so that no core is idle while one
-of them starts, ends, or has a part that cannot be divided.  The times go to .cache/reproduce_times.json, for the
-report: they are no results.
+of them starts, ends, or has a part that cannot be divided; of those that can begin, the longest does.  Studies share
+the cores: on two, each runs in one process, since two more would load all packages and kernels for themselves.  What
+is made of them later may have all the cores, as much of it waits for what runs alone.  The times go to
+.cache/reproduce_times.json, for the report: they are no results.
 """
 
 import os
@@ -12,7 +14,7 @@ import time
 from time import perf_counter
 from typing import NamedTuple
 
-from experiments.catalogue import STEPS, Step
+from experiments.catalogue import STEPS, STUDIES, Step
 from experiments.store import ROOT, write_json
 
 TIMES = ROOT / ".cache" / "reproduce_times.json"
@@ -31,20 +33,28 @@ class Running(NamedTuple):
 def begin(step: Step, line: int) -> Running:
     """Start a step in a process of its own."""
     environment = dict(os.environ) | {"TQDM_POSITION": str(line)}
+    if step in STUDIES:
+        jobs = max(1, (os.cpu_count() or 1) // SIDE_BY_SIDE)
+        # libraries of linear algebra would take all cores, too, where joblib starts no processes that hold them back
+        environment |= {"LOKY_MAX_CPU_COUNT": str(jobs), "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     if step.name == "notebooks":  # with any other backend a notebook's figures would silently be lost
         environment["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
-    print(f"reproduce: {STEPS.index(step) + 1} of {len(STEPS)}, {step.title} (about {step.seconds} s)", flush=True)
     process = subprocess.Popen([sys.executable, "-m", f"experiments.{step.module}"], cwd=ROOT, env=environment)
     return Running(step, process, perf_counter(), line)
 
 
 def begin_what_can(waiting: list[Step], running: list[Running]) -> None:
-    """Start steps that wait for no other, in their order, as long as there is a free line."""
+    """Start steps that wait for no other, the longest first, as long as there is a free line."""
     unfinished = {step.module for step in waiting} | {one.step.module for one in running}
-    for step in [step for step in waiting if unfinished.isdisjoint(step.after)]:
+    can = [step for step in waiting if unfinished.isdisjoint(step.after)]
+    for step in sorted(can, key=lambda step: -step.seconds):
         free = set(range(SIDE_BY_SIDE)) - {one.line for one in running}
         if free:
             waiting.remove(step)
+            print(
+                f"reproduce: {len(STEPS) - len(waiting)} of {len(STEPS)}, {step.title} (about {step.seconds} s)",
+                flush=True,
+            )
             running.append(begin(step, min(free)))
 
 

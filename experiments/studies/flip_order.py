@@ -38,7 +38,6 @@ valid in the source itself, so that u > 0 along every path.
 Writes results/flip_order.csv, a row a pair and path, and results/flip_order_summary.csv.
 """
 
-from collections.abc import Iterator
 from itertools import count
 from typing import Any
 
@@ -50,11 +49,12 @@ from experiments import subjects
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from tween import Triangulation
 from tween.choices import ORDERS, Path
+from tween.geometry.predicates import orient2d
 from tween.morphing.alignment import align
 from tween.morphing.compatible.leg import Leg, root_triangle
 from tween.morphing.incompatible.flip_sequence import FlipSequence, count_crossings, crossing_counts, flip_sequence
 from tween.morphing.incompatible.flow import Flow, first_convex
-from tween.triangulating.flips import flip_in_place, half_edge, is_convex, quadrilateral
+from tween.triangulating.flips import flip_in_place, half_edge
 
 PARAMETERS: dict[str, Any] = {
     "seed": 20100,
@@ -123,7 +123,7 @@ def greedy(T: Triangulation, other: Triangulation, path: Path) -> tuple[float, i
     while True:
         T, more = _flip_greedily(T, counts)
         flips += more
-        quads = np.array([quad for _, _, quad in _useful(T, counts)])
+        quads = _useful(T, counts)[2]
         if not len(quads):
             assert count_crossings(T, other) == 0
             return end, flips
@@ -133,13 +133,17 @@ def greedy(T: Triangulation, other: Triangulation, path: Path) -> tuple[float, i
         T = T.moved(points)
 
 
-def _useful(T: Triangulation, counts: NDArray[np.int64]) -> Iterator[tuple[int, int, tuple[int, ...]]]:
-    """Half-edges whose flip removes crossings, how many, and the corners around them."""
-    for h in T._inner_half_edges().tolist():
-        a, b, c, d = quadrilateral(T.triangles, T.twin, h)
-        removed = int(counts[a, b] - counts[c, d])
-        if removed > 0:
-            yield h, removed, (a, b, c, d)
+def _useful(
+    T: Triangulation, counts: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Half-edges whose flip removes crossings, how many, and the corners a, b, c, d around them."""
+    h = T._inner_half_edges()
+    g = T.twin.ravel()[h]
+    a, b, c = (T.triangles[h // 3, (h + k) % 3] for k in range(3))
+    d = T.triangles[g // 3, (g + 2) % 3]
+    removed = counts[a, b] - counts[c, d]
+    useful = removed > 0
+    return h[useful], removed[useful], np.stack([a, b, c, d], axis=1)[useful]
 
 
 def _flip_greedily(T: Triangulation, counts: NDArray[np.int64]) -> tuple[Triangulation, int]:
@@ -147,11 +151,13 @@ def _flip_greedily(T: Triangulation, counts: NDArray[np.int64]) -> tuple[Triangu
     triangles, twin = T.triangles.copy(), T.twin.copy()
     for flips in count():
         T = Triangulation(T.points, triangles)._knowing(twin)
-        possible = [(-removed, h) for h, removed, _ in _useful(T, counts) if is_convex(T.points, triangles, twin, h)]
-        if not possible:
+        h, removed, quads = _useful(T, counts)
+        a, b, c, d = np.moveaxis(T.points[quads], 1, 0)
+        possible = (orient2d(d, b, c) > 0) & (orient2d(c, a, d) > 0)
+        if not possible.any():
             return T, flips
         triangles, twin = triangles.copy(), twin.copy()
-        flip_in_place(triangles, twin, min(possible)[1])
+        flip_in_place(triangles, twin, int(h[possible][removed[possible].argmax()]))
     raise AssertionError
 
 
@@ -187,14 +193,15 @@ def work(pair: str) -> list[dict[str, Any]]:
     """The rows of one pair, a row a path."""
     a = align(*subjects.both(pair))
     ends = ((a.source, a.target), (a.target, a.source))
+    sequences = [flip_sequence(S, T) for S, T in ends]
     rows = []
     for path in PARAMETERS["paths"]:
         row: dict[str, Any] = {"pair": pair, "path": path, "n": len(a.source), "crossings": a.crossings}
-        row["flips"] = len(flip_sequence(*ends[0]))
-        for letter, (S, T) in zip("uv", ends, strict=True):
+        row["flips"] = len(sequences[0])
+        for letter, (S, T), sequence in zip("uv", ends, sequences, strict=True):
             row[f"{letter}_bound"] = lower_bound(S, T)
             for order in ORDERS:
-                row[f"{letter}_{order}"] = Flow(S, flip_sequence(S, T), path, ROOT, order).end
+                row[f"{letter}_{order}"] = Flow(S, sequence, path, ROOT, order).end
             row[f"{letter}_greedy"], row[f"{letter}_greedy_flips"] = greedy(S, T, path)
         row["divided"] = divided(*ends[0], path)
         rows.append(row)

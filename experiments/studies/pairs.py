@@ -21,9 +21,11 @@ from numpy.typing import NDArray
 from experiments import subjects
 from experiments.measures import edge_factors, steady_sizes, swelling
 from experiments.store import RESULTS, compute, write_csv
-from tween import Curve, Morph, area_matrix, area_rank, frame_variance, paper_morph
+from tween import Curve, Morph, area_matrix, area_rank, decompose, frame_variance
 from tween.geometry.predicates import orient2d
-from tween.morphing.alignment import align, common, least_distorted
+from tween.morphing.alignment import align
+from tween.morphing.correspondence import paper_alignment
+from tween.morphing.motions import Choices, between
 
 PARAMETERS: dict[str, Any] = {"frames": 100, "paths": ["slide", "linear"], "tolerance": 1e-4}
 
@@ -31,9 +33,10 @@ PARAMETERS: dict[str, Any] = {"frames": 100, "paths": ["slide", "linear"], "tole
 def common_triangulation(source: Curve, target: Curve) -> str:
     """Under which correspondence a triangulation is valid in both: that of the pivots, another, or none."""
     a = align(source, target)
-    if common(a.source, a.target) is not None:
+    if decompose(a.source.curve, a.target.curve):
         return "pivots"
-    return "none" if least_distorted(a.source, a.target) is None else "other"
+    other = any(decompose(a.source.curve, a.target.rolled(shift).curve) for shift in range(len(a.source)))
+    return "other" if other else "none"
 
 
 def checks(m: Morph, back: Morph, source: Curve, target: Curve) -> dict[str, Any]:
@@ -80,10 +83,12 @@ def work(pair: str) -> list[dict[str, Any]]:
     names = pair.split(subjects.BETWEEN)
     source, target = subjects.both(pair)
     common = common_triangulation(source, target)
+    there, here = paper_alignment(source, target), paper_alignment(target, source)
     rows = []
     for path in PARAMETERS["paths"]:
-        m, back = paper_morph(source, target, path=path), paper_morph(target, source, path=path)
-        partial = paper_morph(source, target, path=path, order="partial")
+        choices = Choices(path, False, "root", "disk-center")
+        m, back = between(there, choices), between(here, choices)
+        partial = between(there, choices._replace(order="partial"))
         A = area_matrix(m, PARAMETERS["frames"])
         rows.append(
             {

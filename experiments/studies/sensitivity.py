@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 from experiments.measures import PARAMETERS as TABLE_1
-from experiments.measures import areas_to_disk, measures, percentile, slid
+from experiments.measures import measures, morph_to_disk, percentile, slid
 from experiments.store import RESULTS, compute, rng_for, write_csv
 from experiments.subjects import shape, shapes
-from tween import Decomposition, Triangulation, decompose, remesh
+from tween import Decomposition, Morph, Triangulation, area_matrix, decompose, remesh
 from tween.choices import Path, Root
 from tween.triangulating.costs import edge_length, smallest_angle
 
@@ -81,24 +81,28 @@ def study(name: str) -> dict[str, Any]:
     d = decompose(shape(name))
     T = [remesh(d.arbitrary()), *d.sample(rng_for(PARAMETERS["seed"], name), PARAMETERS["samples"])]
     fewer = PARAMETERS["fewer"] + 1
-    matrices = area_matrices(DEFAULT, T)
+    morphs = morphs_to_disk(DEFAULT, T)
+    matrices = [area_matrix(m, DEFAULT.frames) for m in morphs]
     values = measured(matrices)
     default = beside_median(values)
     found = {label: default for label, setting in SETTINGS.items() if setting == DEFAULT}
     for label, setting in SETTINGS.items():
-        if setting != DEFAULT:
-            found[label] = beside_median(measured(area_matrices(setting, T if setting == LINEAR else T[:fewer])))
+        if setting._replace(frames=DEFAULT.frames) != DEFAULT:
+            others = morphs_to_disk(setting, T if setting == LINEAR else T[:fewer])
+            found[label] = beside_median(measured([area_matrix(m, setting.frames) for m in others]))
+        elif setting != DEFAULT:  # the same morphs, looked at in other frames
+            found[label] = beside_median(measured([area_matrix(m, setting.frames) for m in morphs[:fewer]]))
     for label, change in UNITS.items():
         found[label] = beside_median(measured([change(A) for A in matrices[:fewer]]))
     return {"settings": found | arbitrary(d, T[0], values), "slides": slides_row(T, values)}
 
 
-def area_matrices(setting: Setting, T: Sequence[Triangulation]) -> list[Array]:
-    """Area matrices of triangulations of one curve, all morphed to one disk."""
+def morphs_to_disk(setting: Setting, T: Sequence[Triangulation]) -> list[Morph]:
+    """Morphs of triangulations of one curve, all to one disk."""
     disk = T[0].on_disk(setting.spacing).points
     if setting.radius != 1:
         disk = disk.mean(axis=0) + setting.radius * (disk - disk.mean(axis=0))
-    return [areas_to_disk(t, disk, setting.path, setting.frames, setting.root) for t in T]
+    return [morph_to_disk(t, disk, setting.path, setting.root) for t in T]
 
 
 def measured(matrices: Sequence[Array]) -> Array:
@@ -122,7 +126,8 @@ def arbitrary(d: Decomposition, remeshed: Triangulation, values: Array) -> dict[
         d.optimal(lambda triangles: -longest(triangles)),
         d.optimal(lambda triangles: -thinnest(triangles)),
     ]
-    X, *Y = measured(area_matrices(DEFAULT, [remeshed, *others])).tolist()
+    morphs = morphs_to_disk(DEFAULT, [remeshed, *others])
+    X, *Y = measured([area_matrix(m, DEFAULT.frames) for m in morphs]).tolist()
     drawn = values[1:]
     uniform = [drawn.min(axis=0).tolist(), drawn.max(axis=0).tolist()]
     found = {label: {"X": X, "Y": y} for label, y in zip(ARBITRARY[1:], [*uniform, *Y], strict=True)}

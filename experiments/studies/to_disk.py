@@ -9,6 +9,7 @@ uniform ones) and results/table_1_paper.csv (the paper's own numbers).
 
 import argparse
 from collections import Counter
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -16,10 +17,19 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from experiments.measures import MEASURES, PARAMETERS, QUANTILES, RANKS, areas_to_disk, measures, percentile
+from experiments.measures import (
+    MEASURES,
+    PARAMETERS,
+    QUANTILES,
+    RANKS,
+    areas_to_disk,
+    measures,
+    percentile,
+    usual_root,
+)
 from experiments.store import RESULTS, compute, rng_for, write_csv, write_json
 from experiments.subjects import PAPER, shape, shapes
-from tween import decompose, remesh
+from tween import Triangulation, decompose, remesh
 
 
 def study(name: str, samples: int) -> dict[str, Any]:
@@ -31,11 +41,11 @@ def study(name: str, samples: int) -> dict[str, Any]:
     uniform = decomposition.sample(rng_for(PARAMETERS["seed"], name), samples)
     about = {"curve": name, "kind": shapes()[name], "n": len(remeshed), "log10_count": _log10(decomposition.count)}
     rows, histograms = [], {}
-    for path in PARAMETERS["paths"]:
-        drawn = np.array([measures(areas_to_disk(T, disk, path)) for T in uniform])
+    measured, of_single = by_path(uniform, disk), by_path(list(single.values()), disk)
+    for i, path in enumerate(PARAMETERS["paths"]):
+        drawn = measured[:, i]
         about_path = about | {"path": path}
-        for label, T in single.items():
-            values = measures(areas_to_disk(T, disk, path))
+        for label, values in zip(single, of_single[:, i].tolist(), strict=True):
             places = [percentile(v, column) for v, column in zip(values, drawn.T, strict=True)]
             rows.append(about_path | {"triangulation": label} | _named(values, places))
         for label, q in QUANTILES.items():
@@ -43,6 +53,15 @@ def study(name: str, samples: int) -> dict[str, Any]:
             rows.append(about_path | {"triangulation": f"uniform_{label}"} | _named(values))
         histograms[path] = _histograms(drawn)
     return {"rows": rows, "histograms": {name: histograms}}
+
+
+def by_path(triangulations: Sequence[Triangulation], disk: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The measures of the morphs to the disk, (triangulations, paths, measures)."""
+    found = []
+    for T in triangulations:
+        root = usual_root(T, disk)
+        found.append([measures(areas_to_disk(T, disk, path, root=root)) for path in PARAMETERS["paths"]])
+    return np.array(found)
 
 
 def _log10(count: int) -> float:

@@ -13,6 +13,7 @@ from experiments.measures import (
     slid,
     steady_sizes,
     swelling,
+    usual_root,
 )
 from experiments.subjects import shape
 from tween import area_matrix, decompose, gallery, morph, remesh, triangulate
@@ -58,6 +59,7 @@ def test_the_known_correspondence_gives_what_the_search_for_it_gives(name: str, 
     for t in T:
         expected = area_matrix(morph(t, t.moved(disk), path, guarantee=False, placement="root"), 40)
         assert np.array_equal(areas_to_disk(t, disk, path, 40), expected)
+        assert np.array_equal(areas_to_disk(t, disk, path, 40, usual_root(t, disk)), expected)
 
 
 def test_slides_are_counted_as_the_path_makes_them() -> None:

@@ -7,9 +7,11 @@ from tween import gallery
 from tween.errors import IncompatibleError
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.alignment import equal_counts
-from tween.morphing.correspondence import aligned, are_compatible, flipping_shift, from_match
+from tween.morphing.correspondence import aligned, are_compatible, flipping_shift, from_match, paper_alignment
 from tween.morphing.incompatible.flip_sequence import crossings_by_shift
 from tween.morphing.matching.match import match
+from tween.morphing.motions import Choices, between
+from tween.morphing.strategy import paper_morph
 from tween.triangulating.decomposition import triangulate
 
 
@@ -61,3 +63,14 @@ def test_a_complete_match_needs_no_flips():
     found = from_match(a)
     assert a.complete and found.crossings == 0
     assert (found.source_vertices == a.source_vertices).all()
+
+
+@pytest.mark.parametrize("order", ["sequential", "partial"])
+def test_many_morphs_along_one_alignment_are_those_of_the_paper(order):
+    source, target = gallery.curve("ell"), gallery.curve("two_loops")
+    alignment = paper_alignment(source, target)
+    for path in ("slide", "linear"):
+        m = between(alignment, Choices(path, False, "root", "disk-center", order))
+        expected = paper_morph(source, target, path, order=order)
+        assert np.array_equal(m.frames(9), expected.frames(9)) and m.events == expected.events
+        assert len(m.events) > 0

@@ -11,7 +11,7 @@ All else is derived.  Half-edge ``3*t + s`` of triangle t runs from its corner s
 """
 
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 import numpy as np
 from numba import njit
@@ -58,7 +58,8 @@ class Triangulation:
         if self._triangles.shape != (n - 2, 3):
             found = self._triangles.shape
             raise TriangulationError(f"triangles have shape {found}, expected ({n - 2}, 3) for {n} points")
-        for t in np.flatnonzero(((self._triangles < 0) | (self._triangles >= n)).any(axis=1)):
+        if self._triangles.min() < 0 or self._triangles.max() >= n:
+            t = np.flatnonzero(((self._triangles < 0) | (self._triangles >= n)).any(axis=1))[0]
             found = self._triangles[t].tolist()
             raise TriangulationError(f"triangle {t} is {found}, expected vertices from 0 to {n - 1}")
 
@@ -329,22 +330,57 @@ def _read_only(values: ArrayLike, dtype: type, name: str) -> NDArray[Any]:
 
 def _twins(triangles: NDArray[np.int64], n: int) -> NDArray[np.int64]:
     """Pair every half-edge with its reverse, or raise the `TriangulationError` that names a bad edge."""
-    start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+    twin, fine = _paired(triangles, n)
+    if not fine:
+        _refuse(triangles, n)
+    return np.asarray(twin, np.int64)
+
+
+def _refuse(triangles: NDArray[np.int64], n: int) -> NoReturn:
+    """Name the first edge that is not in as many triangles as it should be."""
+    start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     key, reverse = start * n + end, end * n + start
     order = np.argsort(key, kind="stable")
     for h in order[1:][key[order][1:] == key[order][:-1]]:
         raise TriangulationError(f"edge {start[h]}-{end[h]} occurs twice in the same direction")
-    place = np.searchsorted(key, reverse, sorter=order)
-    twin = order[np.minimum(place, len(key) - 1)]
-    twin[key[twin] != reverse] = -1
-    on_curve = end == (start + 1) % n
-    for h in np.flatnonzero(on_curve & (twin >= 0)):
+    two_sided, on_curve = np.isin(reverse, key), end == (start + 1) % n
+    for h in np.flatnonzero(on_curve & two_sided):
         raise TriangulationError(f"boundary edge {start[h]}-{end[h]} has triangles on both sides")
-    for h in np.flatnonzero(~on_curve & (twin < 0)):
+    for h in np.flatnonzero(~on_curve & ~two_sided):
         raise TriangulationError(f"diagonal {start[h]}-{end[h]} has no triangle on its other side")
-    for i in np.flatnonzero(np.bincount(start[on_curve], minlength=n) == 0):
-        raise TriangulationError(f"boundary edge {i}-{(i + 1) % n} belongs to no triangle")
-    return twin.reshape(-1, 3)
+    i = np.flatnonzero(np.bincount(start[on_curve], minlength=n) == 0)[0]
+    raise TriangulationError(f"boundary edge {i}-{(i + 1) % n} belongs to no triangle")
+
+
+@njit(cache=True)
+def _paired(triangles, n):
+    """The half-edge across each half-edge, (n-2, 3), and whether every edge is in as many triangles as it should be."""
+    m = len(triangles)
+    twin, used = np.full((m, 3), -1, np.int64), np.zeros(n, np.bool_)
+    # the half-edges that start at a vertex are a chain, and how many they are says which of two chains is shorter
+    last, before, size = np.full(n, -1, np.int64), np.empty(3 * m, np.int64), np.zeros(n, np.int64)
+    for h in range(3 * m):
+        i = triangles[h // 3, h % 3]
+        before[h], last[i] = last[i], h
+        size[i] += 1
+    for h in range(3 * m):
+        i, j = triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]
+        if size[j] > size[i]:
+            continue  # the reverse of h, if there is one, looks for h in the shorter chain
+        g = last[j]
+        while g >= 0 and triangles[g // 3, (g + 1) % 3] != i:
+            g = before[g]
+        if g >= 0:
+            twin[h // 3, h % 3], twin[g // 3, g % 3] = g, h
+    fine = True
+    for h in range(3 * m):
+        i, j, g = triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3], twin[h // 3, h % 3]
+        if j == (i + 1) % n:
+            fine = fine and g < 0 and not used[i]
+            used[i] = True
+        else:
+            fine = fine and g >= 0 and twin[g // 3, g % 3] == h  # two in one direction cannot both be the twin of g
+    return twin, fine and used.all()
 
 
 @njit(cache=True)

@@ -59,7 +59,7 @@ def _areas(m: Morph, times: NDArray[np.float64]) -> NDArray[np.float64]:
     """Areas, (n-2, k), at some times."""
     shapes, stages = m.at(times), m.stage_at(times)
     areas = np.empty((len(m.source.triangles), len(times)))
-    for stage in np.unique(stages):
+    for stage in np.unique(stages) if stages.any() else [0]:
         now = np.flatnonzero(stages == stage)
         _measure(shapes, m.triangles_at(times[now[0]]), now, areas)
     return areas

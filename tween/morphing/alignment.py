@@ -4,7 +4,7 @@ Legend: ``s t`` triangles, nodes of the dual tree; ``i j k`` vertices; ``shift``
 `tween.compatible_shift`: vertex i of the source is vertex ``(i + shift) mod n`` of the target.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -69,6 +69,14 @@ class Alignment:
         Alignment
         """
         n, k = len(self.source), self.shift
+        if k == 0:  # nothing to renumber, as in each of very many morphs to a disk
+            return replace(
+                self,
+                source=self.target,
+                target=self.source,
+                source_vertices=self.target_vertices,
+                target_vertices=self.source_vertices,
+            )
         return Alignment(
             self.target.rolled(-k),
             self.source.rolled(-k),

@@ -7,7 +7,14 @@ from tween.choices import Shifts, Strategy
 from tween.errors import IncompatibleError
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import Alignment, common, least_distorted, renumbered
+from tween.morphing.alignment import (
+    Alignment,
+    check_shifts,
+    common,
+    equal_counts,
+    least_distorted,
+    renumbered,
+)
 from tween.morphing.incompatible.flip_sequence import count_crossings, crossings_by_shift
 from tween.morphing.incompatible.pivots import pivot_shift
 from tween.morphing.matching.match import Match
@@ -70,6 +77,25 @@ def _common_shift(
         return shift, shared, pivot
     found = least_distorted(first, second) if everywhere or len(first) <= _MOST_RENUMBERED else None
     return (*found, None) if found is not None else None
+
+
+def paper_alignment(source: Shape, target: Shape, shifts: Shifts = "pivots") -> Alignment:
+    """Bring two shapes together as `paper_morph` does.
+
+    Parameters
+    ----------
+    source, target : Triangulation, Curve or array_like of shape (n, 2)
+    shifts : {"pivots", "all"} or int
+        See `paper_morph`.
+
+    Returns
+    -------
+    Alignment
+        From source to target: `between` may be asked for many morphs along it.
+    """
+    check_shifts(shifts)
+    first, second, *origins = equal_counts(source, target)
+    return renumbered(first, second, *flipping_shift(first, second, shifts), *origins)
 
 
 def are_compatible(source: Shape, target: Shape) -> bool:

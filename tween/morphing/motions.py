@@ -169,6 +169,8 @@ def _flow_roots(
 
 def _row(row: int, triangles: NDArray[np.int64], others: NDArray[np.int64]) -> int:
     """Where a row of triangles stands among the same triangles in another order."""
+    if triangles is others:
+        return row
     return int(np.flatnonzero(match_rows(triangles, others) == row)[0])
 
 

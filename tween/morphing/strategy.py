@@ -29,8 +29,8 @@ from tween.choices import (
 )
 from tween.errors import GuaranteeError, IncompatibleError
 from tween.geometry.triangulation import Triangulation
-from tween.morphing.alignment import Alignment, check_shifts, equal_counts, renumbered
-from tween.morphing.correspondence import Shape, aligned, are_compatible, flipping_shift, from_match
+from tween.morphing.alignment import Alignment, equal_counts
+from tween.morphing.correspondence import Shape, aligned, are_compatible, from_match, paper_alignment
 from tween.morphing.incompatible.flip_sequence import count_crossings
 from tween.morphing.matching.match import Match, match
 from tween.morphing.morph import Morph
@@ -189,10 +189,7 @@ def paper_morph(
     Mukherjee and Gopi, Sections 5 and 6.
     """
     _check_words(path=(path, PATHS), order=(order, ORDERS), pace=(pace, PACES))
-    check_shifts(shifts)
-    first, second, *origins = equal_counts(source, target)
-    alignment = renumbered(first, second, *flipping_shift(first, second, shifts), *origins)
-    return between(alignment, Choices(path, False, "root", root, order, pace))
+    return between(paper_alignment(source, target, shifts), Choices(path, False, "root", root, order, pace))
 
 
 def morph_compatible(

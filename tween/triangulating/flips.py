@@ -56,7 +56,7 @@ def remesh(T: Triangulation) -> Triangulation:
     """
     triangles, twin = T.triangles.copy(), T.twin.copy()
     _flip_to_delaunay(T.points, triangles, twin)
-    return Triangulation(T.points, triangles)
+    return Triangulation(T.points, triangles)._knowing(twin)
 
 
 def locally_delaunay(T: Triangulation) -> NDArray[np.bool_]:
@@ -136,7 +136,7 @@ def flip(T: Triangulation, diagonal: tuple[int, int]) -> Triangulation:
         raise ValueError(f"diagonal {a}-{b} cannot be flipped: quadrilateral {a}-{d}-{b}-{c} is not strictly convex")
     triangles, twin = T.triangles.copy(), T.twin.copy()
     flip_in_place(triangles, twin, h)
-    return Triangulation(T.points, triangles)
+    return Triangulation(T.points, triangles)._knowing(twin)
 
 
 def flips_to_delaunay(T: Triangulation) -> Iterator[Triangulation]:

@@ -31,6 +31,7 @@ _CHUNK = 16  # steps looked at together
 _SIXTEENTHS = np.arange(1, 17) / 16
 _REFINEMENTS = 5  # each divides the step by 16: times are found to 2e-9
 _ROOM = 0.02  # radians by which the corners that a flip makes turn at least, unless the disk has too little
+_Around = tuple[int, NDArray[np.int64], NDArray[np.float64]]  # of a flip, see `Flow._around`
 
 
 class Event(NamedTuple):
@@ -143,6 +144,7 @@ class Flow:
         self.start, self._disk = T, T.on_disk().points
         self._left = left_below_full_turn(T), left_below_full_turn(T.moved(self._disk))
         self._stages: list[int] = []
+        self._known: dict[int, _Around] = {}
         self._waiting = _Waiting(flips, sequential=order == "sequential")
         self.events: list[Event] = []
         self.pieces: list[Piece] = []
@@ -196,13 +198,12 @@ class Flow:
 
     def _flip_all_possible(self, T: Triangulation) -> Triangulation:
         """Flip, and flip what that makes possible, until nothing more is possible in this shape."""
-        triangles, twin = T.triangles.copy(), T.twin.copy()
+        triangles, twin, points = T.triangles.copy(), T.twin.copy(), T.points[None]
         candidates = self._waiting.ready()
         while candidates:
             flip = heapq.heappop(candidates)
-            h = shared_edge(twin, *self._rows[flip])
-            quad = np.array([quadrilateral(triangles, twin, h)])
-            if first_convex(T.points[None], quad, self._rooms(quad)) == 0:
+            h, quad, room = self._around(flip, triangles, twin)
+            if first_convex(points, quad, room) == 0:
                 flip_in_place(triangles, twin, h)
                 self.events.append(Event(self.end, *self._changes[flip]))
                 self._stages.append(len(self.pieces))
@@ -210,11 +211,21 @@ class Flow:
                     heapq.heappush(candidates, freed)
         return Triangulation(T.points, triangles)._knowing(twin)
 
+    def _around(self, flip: int, triangles: NDArray[np.int64], twin: NDArray[np.int64]) -> _Around:
+        """The half-edge of a flip that is ready, the corners around it, (1, 4), and their rooms.
+
+        They stay while it waits: flips that change its triangles come before it or after it.
+        """
+        if flip not in self._known:
+            h = shared_edge(twin, *self._rows[flip])
+            quad = np.array([quadrilateral(triangles, twin, h)])
+            self._known[flip] = h, quad, self._rooms(quad)
+        return self._known[flip]
+
     def _first_possible(self, leg: Leg) -> tuple[float, NDArray[np.float64]]:
         """The first share of the leg at which a waiting flip is possible, and the shape there."""
-        T = leg.source
-        quads = _quadrilaterals(T.triangles, T.twin, self._flips.rows[self._waiting.ready()])
-        rooms = self._rooms(quads)
+        known = [self._known[flip] for flip in self._waiting.ready()]
+        quads, rooms = (np.concatenate(arrays) for arrays in list(zip(*known, strict=True))[1:])
         step = min(1.0, _SCAN / (1 - self.end))
         low, first = 0.0, -1
         while first < 0 and low < 1:
@@ -303,16 +314,6 @@ def _turns(points, quads):
         turns[q, 0] = np.arctan2(*_cross_and_dot(points[c], points[a], points[d]))
         turns[q, 1] = np.arctan2(*_cross_and_dot(points[d], points[b], points[c]))
     return turns
-
-
-@njit(cache=True)
-def _quadrilaterals(triangles, twin, rows):
-    """Corners a, b, c, d around the edges that pairs of triangles, (q, 2), share; shape (q, 4)."""
-    quads = np.empty((len(rows), 4), np.int64)
-    for q in range(len(rows)):
-        a, b, c, d = quadrilateral(triangles, twin, shared_edge(twin, rows[q, 0], rows[q, 1]))
-        quads[q, 0], quads[q, 1], quads[q, 2], quads[q, 3] = a, b, c, d
-    return quads
 
 
 @njit(cache=True)
