@@ -100,7 +100,7 @@ STUDIES = (
         "Frames that bound a disk",
         results=("guarantee_summary.csv", "guarantee.csv"),
         figures=("guarantee_fan", "guarantee_study", "guarantee_paths"),
-        seconds=200,
+        seconds=140,
     ),
     Step(
         "studies.quality",
