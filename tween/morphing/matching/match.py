@@ -115,6 +115,8 @@ def match(
     Up to 24 vertices each, one table decides and the answer is `exact`; where it finds nothing, more candidates are
     tried.  Larger curves are simplified first and refined level by level, in proportion to their vertices.  The energy
     does not depend on where the curves start, on their places, sizes and directions, or on which is the source.
+    Energies that agree to twelve digits are equal; of equally good correspondences the one that turns the source least
+    is taken.  Triangles flatter than rounding can tell take no part (`.chords.side_of`), unless one of a disk's own is.
     Two curves of 100 vertices take less than a second.  Those of more than 400 are refined piece by piece
     (`tween.morphing.matching.pieces`), so that time and memory are proportional to their vertices: 4 to 25 s and
     300 MB for two smooth ones of 10,000.
