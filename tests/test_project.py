@@ -15,6 +15,7 @@ MODULES = sorted((ROOT / "tween").glob("**/*.py"))
 # Test files in a folder of the package that test something else than a module.
 WITHOUT_MODULE = {
     "app/playground/test_browser.py": "the face of the playground, in a browser",
+    "morphing/matching/test_lift.py": "that refinement is no worse than a lift of the first level",
     "morphing/test_guarantee.py": "what a guarantee promises, along all paths and strategies",
 }
 # Modules that serve another one, and are tested with it.

@@ -263,7 +263,7 @@ def _draw_ends(ax: Axes, source: complex, target: complex, propagates: tuple[boo
     ax.plot(*_xy([0, 1]).T, color=draw.INK, linewidth=1.6)
     _label(ax, "A", 0, (-5, -5))
     _label(ax, "B", 1, (5, -5))
-    ax.set(xlim=(-1.3, 2.3), ylim=(-0.25, 1.8), aspect="equal")
+    ax.set(xlim=(-1.3, 2.3), ylim=(-0.25, 2.1), aspect="equal")
     ax.set_axis_off()
 
 
