@@ -73,7 +73,7 @@ def test_costs_are_asked_for_in_blocks_without_changing_the_optimum(monkeypatch:
     d = decompose(curve("two_loops"))
     whole = d.optimal(random_costs(d.curves[0].points))
     for block in (1, 7, 1000):
-        monkeypatch.setattr("tween.triangulating.decomposition._AT_ONCE", block)
+        monkeypatch.setattr("tween.triangulating.table.splits._AT_ONCE", block)
         cost = Mock(wraps=random_costs(d.curves[0].points))
         assert d.optimal(cost).triangles.tolist() == whole.triangles.tolist()
         assert max(len(asked) for (asked,), _ in cost.call_args_list) <= block
