@@ -12,7 +12,7 @@ import oracle
 import pytest
 from numpy.typing import NDArray
 from scipy.stats import chisquare
-from strategies import random_polygons, strip
+from strategies import parabola, random_polygons, strip
 
 from tween import Curve, Decomposition, Triangulation, decompose
 from tween.gallery import curve
@@ -80,12 +80,6 @@ def test_costs_are_asked_for_in_blocks_without_changing_the_optimum(monkeypatch:
 
 
 # Samples and walks
-
-
-def parabola(n: int) -> np.ndarray:
-    """Return a convex polygon, exactly."""
-    x = np.arange(n, dtype=np.float64)
-    return np.stack([x, x * x], axis=1)
 
 
 def test_the_first_split_takes_the_smallest_apex_and_the_last_the_largest() -> None:
