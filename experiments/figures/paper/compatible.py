@@ -134,7 +134,7 @@ def figure_7() -> Figure:
     """The cases of the slide path: the path above, lengths of the propagation edges over time below."""
     figure, axes = plt.subplots(2, 4, figsize=(WIDTH, 3.5), height_ratios=[1.1, 1], sharey="row", sharex="row")
     for (above, below), (label, case) in zip(axes.T, CASES.items(), strict=True):
-        above.set_title(label, fontsize=8.5)
+        above.set_title(label, fontsize=8.5, pad=12)  # above C1 of the first
         _draw_ends(above, *case)
         _draw_paths(above, *case)
         _draw_lengths(below, *case)
