@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, pairwise
-from math import lcm
+from math import comb, lcm
 from typing import Any
 
 import numpy as np
@@ -123,6 +123,11 @@ def triangulations(n: int) -> tuple[Triangles, ...]:
         ]
 
     return tuple(between(0, n - 1))
+
+
+def catalan(k: int) -> int:
+    """Return how many triangulations a convex polygon of k + 2 vertices has."""
+    return comb(2 * k, k) // (k + 1)
 
 
 def valid_triangulations(points: Iterable[Iterable[float]]) -> set[Triangles]:

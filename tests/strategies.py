@@ -97,7 +97,13 @@ def disks(low: int = 3, high: int = 40) -> st.SearchStrategy[Triangulation]:
     return seeds.map(lambda s: random_disk(s[0], np.random.default_rng(s[1])))
 
 
-# Large samples
+# Named shapes, and large samples
+
+
+def parabola(n: int) -> NDArray[np.float64]:
+    """Return a convex polygon, exactly."""
+    x = np.arange(n, dtype=np.float64)
+    return np.stack([x, x * x], axis=1)
 
 
 def strip(angles: NDArray[np.float64], inner: ArrayLike, outer: ArrayLike) -> NDArray[np.float64]:

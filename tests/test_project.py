@@ -23,6 +23,7 @@ TESTED_WITH = {
     "measuring/played.py": "measuring/test_certificate.py",
     "measuring/refinement.py": "measuring/test_certificate.py",
     "morphing/keyframes/legs.py": "morphing/test_sequence.py",
+    "morphing/motion.py": "morphing/test_motions.py",
     "morphing/plan.py": "measuring/test_promise.py",
     "morphing/incompatible/clock.py": "morphing/incompatible/test_flow.py",
     "morphing/incompatible/through.py": "morphing/incompatible/test_flow.py",

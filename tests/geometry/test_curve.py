@@ -1,4 +1,4 @@
-"""Curves: what is refused, turning number, area, crossings, inserted vertices."""
+"""Curves: what is refused, turning number, area, inserted vertices."""
 
 from itertools import pairwise
 
@@ -7,10 +7,9 @@ import oracle
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import Points, generic_polygons, grid_polygons, polygons, random_polygons, short_polygons
+from strategies import Points, grid_polygons, polygons, random_polygons, short_polygons
 
 from tween import Curve, CurveError, TweenError
-from tween.gallery import curve, names
 from tween.geometry.curve import as_curve, turning_number
 from tween.geometry.predicates import EXACT_RANGE
 
@@ -185,43 +184,6 @@ def test_regions_count_as_often_as_the_curve_winds_about_them() -> None:
     assert Curve([*inner, *outer]).area == float(oracle.area([*inner, *outer]))
     assert Curve(EIGHT).area == 0
     assert Curve(np.array(SQUARE) + 2.0**30).area == 1
-
-
-# Crossings
-
-
-@given(st.one_of(grid_polygons(), grid_polygons(size=2), generic_polygons()))
-def test_crossings_are_those_of_all_pairs_of_edges(points: Points) -> None:
-    c = Curve(points)
-    assert dict(zip(c.crossings, c.crossings.proper.tolist(), strict=True)) == oracle.crossings(c.points)
-    assert list(c.crossings) == sorted(c.crossings)
-    assert len(c.crossings) == len(c.crossings.crossing) + len(c.crossings.touches)
-
-
-@pytest.mark.parametrize("name", names())
-def test_crossings_of_the_gallery_are_those_of_all_pairs_of_edges(name: str) -> None:
-    c = curve(name)
-    assert dict(zip(c.crossings, c.crossings.proper.tolist(), strict=True)) == oracle.crossings(c.points)
-
-
-@pytest.mark.parametrize(
-    ("points", "proper", "touching"),
-    [
-        (SQUARE, [], []),
-        (EIGHT, [[0, 2]], []),
-        ([(0, 0), (4, 0), (4, 2), (2, 0), (0, 2)], [], [[0, 2], [0, 3]]),  # vertex 3 on edge 0
-        ([(0, 0), (4, 0), (4, 1), (3, 0), (1, 0), (0, 1)], [], [[0, 2], [0, 3], [0, 4]]),  # edge 3 along edge 0
-        ([(0, 0), (1, 1), (2, 0), (2, 2), (1, 1), (0, 2)], [], [[0, 3], [0, 4], [1, 3], [1, 4]]),  # (1, 1) twice
-    ],
-)
-def test_touches_are_told_from_crossings(points, proper, touching) -> None:
-    found = Curve(points).crossings
-    assert found.crossing.tolist() == proper
-    assert found.touches.tolist() == touching
-
-
-def test_pentagram_edges_cross_those_that_are_no_neighbours() -> None:
-    assert list(Curve(star(5, 2)).crossings) == [(0, 2), (0, 3), (1, 3), (1, 4), (2, 4)]
 
 
 # Inserted vertices

@@ -58,29 +58,6 @@ def test_validate_names_the_broken_rule(points, triangles, message: str) -> None
         T.validate()
 
 
-def test_of_lists_of_triangles_those_that_break_no_rule_for_edges_have_twins() -> None:
-    triples = {n: list(permutations(range(n), 3)) for n in (4, 6)}
-    lists = [(4, pair) for pair in product(triples[4], repeat=2)]
-    for hexagon in ([(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5)], [(0, 1, 2), (2, 3, 4), (4, 5, 0), (0, 2, 4)]):
-        lists += [(6, (*hexagon[:row], other, *hexagon[row + 1 :])) for row in range(4) for other in triples[6]]
-    fine = [_twins_are_right_or_refused(n, list(triangles)) for n, triangles in lists]
-    assert 10 < sum(fine) < len(fine) / 10
-
-
-def _twins_are_right_or_refused(n: int, triangles: list[tuple[int, ...]]) -> bool:
-    edges = [(t[s], t[(s + 1) % 3]) for t in triangles for s in range(3)]
-    inner = {edge for edge in edges if (edge[1] - edge[0]) % n != 1}
-    fine = len(set(edges)) == len(edges) and {(i, (i + 1) % n) for i in range(n)} <= set(edges)
-    fine = fine and inner == {edge[::-1] for edge in inner}
-    T = Triangulation(np.zeros((n, 2)), triangles)
-    if fine:
-        assert T.twin.ravel().tolist() == [edges.index(edge[::-1]) if edge in inner else -1 for edge in edges]
-    else:
-        with pytest.raises(TriangulationError, match=r"edge|diagonal"):
-            _ = T.twin
-    return fine
-
-
 def test_a_limacon_breaks_no_rule_but_the_turning_number() -> None:
     limacon = fan([50.0] * 9)  # 450 degrees around the hub
     assert all(oracle.orient2d(*oracle.fractions(limacon.points[t])) > 0 for t in limacon.triangles)
@@ -145,19 +122,6 @@ def test_an_unknown_spacing_is_refused() -> None:
 
 
 # Parts
-
-
-@given(disks())
-def test_twins_lie_across_each_other(T: Triangulation) -> None:
-    start, end = T.triangles.ravel(), np.roll(T.triangles, -1, axis=1).ravel()
-    twin = T.validate().twin.ravel()
-    inner = np.flatnonzero(twin >= 0)
-    np.testing.assert_array_equal(twin[twin[inner]], inner)
-    np.testing.assert_array_equal(start[twin[inner]], end[inner])
-    np.testing.assert_array_equal(end[twin[inner]], start[inner])
-    outer = np.flatnonzero(twin < 0)
-    np.testing.assert_array_equal(np.sort(start[outer]), np.arange(len(T)))
-    np.testing.assert_array_equal(end[outer], (start[outer] + 1) % len(T))
 
 
 @given(disks())

@@ -1,7 +1,6 @@
 """Recognition, exact counts and uniform samples, against all triangulations of small polygons."""
 
 from collections import Counter
-from math import comb
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ import oracle
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import Points, disks, grid_polygons, polygons, random_polygons
+from strategies import Points, disks, grid_polygons, parabola, polygons, random_polygons
 
 from tween import (
     Curve,
@@ -29,16 +28,6 @@ EIGHT = [(0, 0), (2, 2), (2, 0), (0, 2)]
 KINDS = ("scatter", "winding", "grid", "disk", "strip")
 
 
-def parabola(n: int) -> np.ndarray:
-    """Return a convex polygon, exactly."""
-    x = np.arange(n, dtype=np.float64)
-    return np.stack([x, x * x], axis=1)
-
-
-def catalan(k: int) -> int:
-    return comb(2 * k, k) // (k + 1)
-
-
 def key(T: Triangulation) -> oracle.Triangles:
     return oracle.as_set(T.triangles)
 
@@ -49,13 +38,13 @@ def key(T: Triangulation) -> oracle.Triangles:
 @pytest.mark.parametrize("n", [3, 4, 5, 6, 12, 37, 38, 39, 40, 100])
 def test_a_convex_polygon_has_a_catalan_number_of_triangulations(n: int) -> None:
     d = decompose(parabola(n))
-    assert d.count == catalan(n - 2)
+    assert d.count == oracle.catalan(n - 2)
     assert type(d.count) is int
 
 
 @pytest.mark.slow
 def test_a_convex_polygon_of_300_vertices_is_counted_exactly() -> None:
-    assert decompose(parabola(300)).count == catalan(298)
+    assert decompose(parabola(300)).count == oracle.catalan(298)
 
 
 @pytest.mark.slow

@@ -6,12 +6,12 @@ Reduction tests again only what may have changed, and removes what plain rounds 
 import numpy as np
 import oracle
 import pytest
+from both_tables import both
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tween import Curve, Decomposition, TweenError, certify, decompose, gallery, morph
 from tween.geometry.predicates import orient2d
-from tween.triangulating import decomposition as module
 from tween.triangulating.flips import locally_delaunay
 from tween.triangulating.reduction import reduce_curve
 
@@ -21,16 +21,6 @@ lattice = st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=5
 
 def shape(name: str) -> Curve:
     return gallery.letter(name) if len(name) == 1 else gallery.curve(name)
-
-
-def both(points: object, monkeypatch: pytest.MonkeyPatch) -> tuple[Decomposition, Decomposition]:
-    """Decompose by the whole table, and by the reduced one."""
-    answers = []
-    for small in (10**9, 0):
-        monkeypatch.setattr(module, "_SMALL", small)
-        answers.append(decompose(points))
-        assert (answers[-1]._reduced is None) == (small > 0)
-    return answers[0], answers[1]
 
 
 def agree(whole: Decomposition, reduced: Decomposition) -> None:

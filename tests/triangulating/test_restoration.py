@@ -2,25 +2,15 @@
 
 import numpy as np
 import pytest
+from both_tables import both
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import disks
 
-from tween import Curve, Decomposition, Triangulation, decompose, gallery
-from tween.triangulating import decomposition as module
+from tween import Curve, Triangulation, decompose, gallery
 from tween.triangulating.flips import locally_delaunay
 from tween.triangulating.reduction import reduce_curve
 from tween.triangulating.restoration import restore
-
-
-def both(points: object, monkeypatch: pytest.MonkeyPatch) -> tuple[Decomposition, Decomposition]:
-    """Decompose by the whole table, and by the reduced one."""
-    answers = []
-    for small in (10**9, 0):
-        monkeypatch.setattr(module, "_SMALL", small)
-        answers.append(decompose(points))
-        assert (answers[-1]._reduced is None) == (small > 0)
-    return answers[0], answers[1]
 
 
 def test_restoring_nothing_changes_nothing() -> None:

@@ -6,9 +6,10 @@ platform's sine, midpoints of edges are exact, and a mirror image is one exactly
 Legend: ``n`` vertices of a curve, ``m`` of a spine; ``t`` a parameter along a path; ``z = x + iy``.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +21,7 @@ from tween.geometry.curve import Curve
 
 _Floats = NDArray[np.float64]
 _Complexes = NDArray[np.complex128]
+_Entry = TypeVar("_Entry")
 
 _CAP = 3  # points of a rounded end
 _FINE = 2400  # points of a path before it is resampled
@@ -65,7 +67,7 @@ def curve(name: str) -> Curve:
     >>> curve("horseshoe")
     Curve(90 vertices, turning number 1)
     """
-    return Curve(on_grid(_entry(name)[1]()))
+    return Curve(on_grid(_entry("curve", name, _CURVES)[1]()))
 
 
 def describe(name: str) -> str:
@@ -91,7 +93,7 @@ def describe(name: str) -> str:
     >>> describe("ell")
     'A tapering letter L: a single reflex corner.'
     """
-    return _entry(name)[0]
+    return _entry("curve", name, _CURVES)[0]
 
 
 def pairs() -> tuple[str, ...]:
@@ -137,7 +139,7 @@ def pair(name: str) -> tuple[Curve, Curve]:
     >>> pair("ell_to_two_loops")
     (Curve(47 vertices, turning number 1), Curve(122 vertices, turning number 1))
     """
-    return _pair_entry(name)[1]()
+    return _entry("pair", name, _PAIRS)[1]()
 
 
 def describe_pair(name: str) -> str:
@@ -162,13 +164,7 @@ def describe_pair(name: str) -> str:
     >>> describe_pair("e_to_l")
     'A handwritten e becomes an l: both cross themselves.'
     """
-    return _pair_entry(name)[0]
-
-
-def _pair_entry(name: str) -> tuple[str, Callable[[], tuple[Curve, Curve]]]:
-    if name not in _PAIRS:
-        raise CurveError(f"there is no pair {name!r}{_close(name, _PAIRS)}; expected one of {', '.join(_PAIRS)}")
-    return _PAIRS[name]
+    return _entry("pair", name, _PAIRS)[0]
 
 
 # Named curves
@@ -250,15 +246,12 @@ _CURVES: dict[str, tuple[str, Callable[[], _Floats]]] = {
 }
 
 
-def _entry(name: str) -> tuple[str, Callable[[], _Floats]]:
-    if name not in _CURVES:
-        raise CurveError(f"there is no curve {name!r}{_close(name, _CURVES)}; expected one of {', '.join(_CURVES)}")
-    return _CURVES[name]
-
-
-def _close(name: str, names: Iterable[str]) -> str:
-    close = get_close_matches(name, names, 1)
-    return f" (did you mean {close[0]!r}?)" if close else ""
+def _entry(kind: str, name: str, entries: Mapping[str, _Entry]) -> _Entry:
+    if name not in entries:
+        close = get_close_matches(name, entries, 1)
+        meant = f" (did you mean {close[0]!r}?)" if close else ""
+        raise CurveError(f"there is no {kind} {name!r}{meant}; expected one of {', '.join(entries)}")
+    return entries[name]
 
 
 def _ends(first: str, second: str) -> tuple[Curve, Curve]:

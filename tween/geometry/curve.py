@@ -4,8 +4,6 @@ A vertex is a position along the curve, never a coordinate: a curve may visit on
 Edge i runs from vertex i to vertex i+1 (mod n).
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -13,51 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError
+from tween.geometry.crossings import Crossings, find_crossings
 from tween.geometry.halving import dented, halve_longest_edges
-from tween.geometry.meeting_edges import meeting_edges
 from tween.geometry.predicates import EXACT_RANGE, orient2d
 from tween.geometry.rings import ring_points
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
-
-
-@dataclass(frozen=True)
-class Crossings:
-    """The pairs of edges of a curve that meet, neighbours along the curve left out.
-
-    Attributes
-    ----------
-    pairs : ndarray of int, shape (k, 2)
-        Edge numbers i < j, sorted.
-    proper : ndarray of bool, shape (k,)
-        True where the two edges cross in their interiors; False where they touch: an end of one lies
-        on the other, or they overlap along a line.
-
-    Examples
-    --------
-    >>> bow = Curve([[0, 0], [2, 2], [2, 0], [0, 2]])
-    >>> list(bow.crossings), len(bow.crossings.touches)
-    ([(0, 2)], 0)
-    """
-
-    pairs: NDArray[np.intp]
-    proper: NDArray[np.bool_]
-
-    def __len__(self) -> int:
-        return len(self.pairs)
-
-    def __iter__(self) -> Iterator[tuple[int, int]]:
-        return ((int(i), int(j)) for i, j in self.pairs)
-
-    @property
-    def crossing(self) -> NDArray[np.intp]:
-        """The pairs that cross properly, shape (k, 2)."""
-        return self.pairs[self.proper]
-
-    @property
-    def touches(self) -> NDArray[np.intp]:
-        """The pairs that only touch, shape (k, 2)."""
-        return self.pairs[~self.proper]
 
 
 class Curve:
@@ -355,18 +314,3 @@ def turning_number(points: NDArray[np.float64]) -> int:
     before = np.roll(upper, 1)
     turns = orient2d(np.roll(points, 1, axis=0), points, following)
     return int(np.sum((turns > 0) & ~before & upper)) - int(np.sum((turns < 0) & before & ~upper))
-
-
-def find_crossings(points: NDArray[np.float64]) -> Crossings:
-    """Find the pairs of edges of a closed polygon that meet, neighbours left out; it may have spikes, unlike a curve.
-
-    Parameters
-    ----------
-    points : ndarray of float64, shape (n, 2)
-
-    Returns
-    -------
-    Crossings
-    """
-    pairs, proper = meeting_edges(points)
-    return Crossings(_frozen(pairs), _frozen(proper))

@@ -11,14 +11,14 @@ All else is derived.  Half-edge ``3*t + s`` of triangle t runs from its corner s
 """
 
 from functools import cached_property
-from typing import Any, Literal, NoReturn
+from typing import Any, Literal
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from tween.errors import CurveError, TriangulationError
 from tween.geometry.curve import Curve, coordinate_fault, spikes, turning_number
+from tween.geometry.half_edges import reached, twins
 from tween.geometry.predicates import orient2d
 
 _SMALLEST_GAP = 1e-3
@@ -84,7 +84,7 @@ class Triangulation:
     @cached_property
     def twin(self) -> NDArray[np.int64]:
         """Half-edge across each half-edge, shape (n-2, 3); -1 on the boundary."""
-        twin = _twins(self._triangles, len(self._points))
+        twin = twins(self._triangles, len(self._points))
         twin.setflags(write=False)
         return twin
 
@@ -146,7 +146,7 @@ class Triangulation:
         fault = coordinate_fault(self._points)
         if fault:
             raise TriangulationError(fault)
-        for t in np.flatnonzero(~_reached(self.twin)):
+        for t in np.flatnonzero(~reached(self.twin)):
             raise TriangulationError(f"triangle {t} is not connected to triangle 0: the dual graph is no tree")
         for t in np.flatnonzero(orient2d(*np.moveaxis(self._points[self._triangles], 1, 0)) <= 0):
             found = self._triangles[t].tolist()
@@ -326,73 +326,3 @@ def _read_only(values: ArrayLike, dtype: type, name: str) -> NDArray[Any]:
         raise TriangulationError(f"{name} are no array of numbers: {error}") from None
     array.setflags(write=False)
     return array
-
-
-def _twins(triangles: NDArray[np.int64], n: int) -> NDArray[np.int64]:
-    """Pair every half-edge with its reverse, or raise the `TriangulationError` that names a bad edge."""
-    twin, fine = _paired(triangles, n)
-    if not fine:
-        _refuse(triangles, n)
-    return np.asarray(twin, np.int64)
-
-
-def _refuse(triangles: NDArray[np.int64], n: int) -> NoReturn:
-    """Name the first edge that is not in as many triangles as it should be."""
-    start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
-    key, reverse = start * n + end, end * n + start
-    order = np.argsort(key, kind="stable")
-    for h in order[1:][key[order][1:] == key[order][:-1]]:
-        raise TriangulationError(f"edge {start[h]}-{end[h]} occurs twice in the same direction")
-    two_sided, on_curve = np.isin(reverse, key), end == (start + 1) % n
-    for h in np.flatnonzero(on_curve & two_sided):
-        raise TriangulationError(f"boundary edge {start[h]}-{end[h]} has triangles on both sides")
-    for h in np.flatnonzero(~on_curve & ~two_sided):
-        raise TriangulationError(f"diagonal {start[h]}-{end[h]} has no triangle on its other side")
-    i = np.flatnonzero(np.bincount(start[on_curve], minlength=n) == 0)[0]
-    raise TriangulationError(f"boundary edge {i}-{(i + 1) % n} belongs to no triangle")
-
-
-@njit(cache=True)
-def _paired(triangles, n):
-    """The half-edge across each half-edge, (n-2, 3), and whether every edge is in as many triangles as it should be."""
-    m = len(triangles)
-    twin, used = np.full((m, 3), -1, np.int64), np.zeros(n, np.bool_)
-    # the half-edges that start at a vertex are a chain, and how many they are says which of two chains is shorter
-    last, before, size = np.full(n, -1, np.int64), np.empty(3 * m, np.int64), np.zeros(n, np.int64)
-    for h in range(3 * m):
-        i = triangles[h // 3, h % 3]
-        before[h], last[i] = last[i], h
-        size[i] += 1
-    for h in range(3 * m):
-        i, j = triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]
-        if size[j] > size[i]:
-            continue  # the reverse of h, if there is one, looks for h in the shorter chain
-        g = last[j]
-        while g >= 0 and triangles[g // 3, (g + 1) % 3] != i:
-            g = before[g]
-        if g >= 0:
-            twin[h // 3, h % 3], twin[g // 3, g % 3] = g, h
-    fine = True
-    for h in range(3 * m):
-        i, j, g = triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3], twin[h // 3, h % 3]
-        if j == (i + 1) % n:
-            fine = fine and g < 0 and not used[i]
-            used[i] = True
-        else:
-            fine = fine and g >= 0 and twin[g // 3, g % 3] == h  # two in one direction cannot both be the twin of g
-    return twin, fine and used.all()
-
-
-@njit(cache=True)
-def _reached(twin):
-    """Which triangles can be reached from triangle 0."""
-    reached, front, waiting = np.zeros(len(twin), np.bool_), np.zeros(len(twin), np.int64), 1
-    reached[0] = True
-    while waiting:
-        waiting -= 1
-        for h in twin[front[waiting]]:
-            if h >= 0 and not reached[h // 3]:
-                reached[h // 3] = True
-                front[waiting] = h // 3
-                waiting += 1
-    return reached

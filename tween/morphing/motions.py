@@ -14,7 +14,8 @@ from tween.morphing.incompatible.clock import LEAP, Clock, largest_leap
 from tween.morphing.incompatible.flip_sequence import FlipSequence, flip_sequence
 from tween.morphing.incompatible.flow import Event, Flow, shared_edge
 from tween.morphing.incompatible.through import Through
-from tween.morphing.morph import Morph, Motion
+from tween.morphing.morph import Morph
+from tween.morphing.motion import Motion
 from tween.morphing.placement import Steady
 from tween.morphing.plan import Plan
 from tween.triangulating.compatibility import match_rows

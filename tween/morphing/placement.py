@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from tween.morphing.compatible.guarantee.rounding import Doubt, Placing
-from tween.morphing.morph import Motion
+from tween.morphing.motion import Motion
 from tween.morphing.plan import Plan
 
 _STEPS, _FEWEST_STEPS = 512, 32  # by which the rotation is integrated, in each stretch without flips

@@ -21,14 +21,11 @@ from tween.geometry.triangulation import Triangulation
 from tween.triangulating.flips import remesh
 from tween.triangulating.reduction import Reduction, reduce_curve
 from tween.triangulating.restoration import restore
-from tween.triangulating.table.optimum import best_splits, follow
-from tween.triangulating.table.sampling import draw
 from tween.triangulating.table.splits import Table
 
 if TYPE_CHECKING:
     from tween.triangulating.repair.explanation import Explanation
 
-_AT_ONCE = 2**20  # triangles whose costs are asked for
 _SMALL = 200  # vertices; up to here the table is as quick as anything
 
 
@@ -162,12 +159,7 @@ class Decomposition:
         """
         self._require()
         uniforms = rng.random((1 if size is None else size, self._n - 2))
-        mantissas, exponents = self._full.weights
-        graph = self._full.graph
-        drawn = draw(
-            graph.whole, graph.first, graph.apex, graph.left, graph.right, graph.ends, mantissas, exponents, uniforms
-        )
-        triangulations = [self._triangulation(triangles) for triangles in drawn]
+        triangulations = [self._triangulation(triangles) for triangles in self._full.draw(uniforms)]
         return triangulations[0] if size is None else triangulations
 
     def optimal(
@@ -219,18 +211,7 @@ class Decomposition:
         self._require()
         if combine not in ("sum", "max"):
             raise ValueError(f"combine is {combine!r}, expected 'sum' or 'max'")
-        graph = self._full.graph
-        costs = np.empty(len(graph.apex))
-        for low in range(0, len(costs), _AT_ONCE):
-            block = graph.triangles(low, min(low + _AT_ONCE, len(costs)))
-            given = np.asarray(cost(block), dtype=np.float64)
-            if given.shape != (len(block),) or np.isnan(given).any():
-                raise ValueError(f"cost gave shape {given.shape}, expected {len(block)} numbers, none of them NaN")
-            costs[low : low + _AT_ONCE] = given
-        best = best_splits(graph.first, graph.left, graph.right, costs, combine == "max")
-        return self._triangulation(
-            follow(graph.whole, graph.ends, graph.apex, graph.left, graph.right, best, self._n - 2)
-        )
+        return self._triangulation(self._full.cheapest(cost, combine == "max"))
 
     def immersions(self) -> list[Triangulation]:
         """List the immersed disks that the curve bounds, each by its constrained Delaunay triangulation.

@@ -134,7 +134,7 @@ def figure_7() -> Figure:
     """The cases of the slide path: the path above, lengths of the propagation edges over time below."""
     figure, axes = plt.subplots(2, 4, figsize=(WIDTH, 3.5), height_ratios=[1.1, 1], sharey="row", sharex="row")
     for (above, below), (label, case) in zip(axes.T, CASES.items(), strict=True):
-        above.set_title(label, fontsize=8.5)
+        above.set_title(label, fontsize=8.5, pad=12)  # above C1 of the first
         _draw_ends(above, *case)
         _draw_paths(above, *case)
         _draw_lengths(below, *case)
@@ -263,7 +263,7 @@ def _draw_ends(ax: Axes, source: complex, target: complex, propagates: tuple[boo
     ax.plot(*_xy([0, 1]).T, color=draw.INK, linewidth=1.6)
     _label(ax, "A", 0, (-5, -5))
     _label(ax, "B", 1, (5, -5))
-    ax.set(xlim=(-1.3, 2.3), ylim=(-0.25, 2.1), aspect="equal")
+    ax.set(xlim=(-1.3, 2.3), ylim=(-0.25, 1.8), aspect="equal")
     ax.set_axis_off()
 
 

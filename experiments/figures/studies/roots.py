@@ -97,7 +97,7 @@ def choice(names: Iterable[str]) -> Figure:
         _distributions(ax, table, measure)
         ax.set_title(title)
     for ax in axes[1:3]:
-        ax.set(xscale="log", xlim=(1e-11, 1), xticks=[1e-9, 1e-6, 1e-3])
+        ax.set(xscale="log", xlim=(3e-12, 1), xticks=[1e-9, 1e-6, 1e-3])
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
     return figure
 

@@ -12,7 +12,7 @@ import oracle
 import pytest
 from numpy.typing import NDArray
 from scipy.stats import chisquare
-from strategies import random_polygons, strip
+from strategies import parabola, random_polygons, strip
 
 from tween import Curve, Decomposition, Triangulation, decompose
 from tween.gallery import curve
@@ -73,19 +73,13 @@ def test_costs_are_asked_for_in_blocks_without_changing_the_optimum(monkeypatch:
     d = decompose(curve("two_loops"))
     whole = d.optimal(random_costs(d.curves[0].points))
     for block in (1, 7, 1000):
-        monkeypatch.setattr("tween.triangulating.decomposition._AT_ONCE", block)
+        monkeypatch.setattr("tween.triangulating.table.splits._AT_ONCE", block)
         cost = Mock(wraps=random_costs(d.curves[0].points))
         assert d.optimal(cost).triangles.tolist() == whole.triangles.tolist()
         assert max(len(asked) for (asked,), _ in cost.call_args_list) <= block
 
 
 # Samples and walks
-
-
-def parabola(n: int) -> np.ndarray:
-    """Return a convex polygon, exactly."""
-    x = np.arange(n, dtype=np.float64)
-    return np.stack([x, x * x], axis=1)
 
 
 def test_the_first_split_takes_the_smallest_apex_and_the_last_the_largest() -> None:

@@ -8,23 +8,13 @@ import numpy as np
 import oracle
 import pytest
 from numpy.typing import NDArray
-from strategies import random_polygons
+from strategies import parabola, random_polygons
 
 from tween import Curve, Triangulation, TweenError, decompose, triangulate
 from tween.gallery import curve
 from tween.morphing.alignment import common
 from tween.triangulating.flips import locally_delaunay
 from tween.triangulating.table.splits import Graph, Table, is_small
-
-
-def parabola(n: int) -> np.ndarray:
-    """Return a convex polygon, exactly."""
-    x = np.arange(n, dtype=np.float64)
-    return np.stack([x, x * x], axis=1)
-
-
-def catalan(k: int) -> int:
-    return comb(2 * k, k) // (k + 1)
 
 
 def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -36,7 +26,7 @@ def test_too_many_splits_are_refused_before_memory_is_taken(monkeypatch: pytest.
             ask()
     d.arbitrary().validate()
     monkeypatch.setattr("tween.triangulating.table.splits._MOST_SPLITS", splits)
-    assert decompose(parabola(20)).count == catalan(18)
+    assert decompose(parabola(20)).count == oracle.catalan(18)
 
 
 def test_a_table_that_would_not_fit_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:

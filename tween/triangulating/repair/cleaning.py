@@ -128,7 +128,7 @@ def clean(
 
 
 def _smoothings(asked: float, tremor: float, none_first: bool) -> list[float]:
-    """Those to try: halves, quarters and eighths of the one asked for, while they exceed the tremor."""
+    """Those to try: parts of the one asked for that exceed the tremor, the least first, and all of it."""
     tried = [share * asked for share in _SHARES if share == 1 or share * asked > _TIMES * tremor]
     return [0.0] * (none_first and asked > 0) + tried
 

@@ -15,7 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tween.geometry.curve import Crossings, Curve
+from tween.geometry.crossings import Crossings
+from tween.geometry.curve import Curve
 from tween.triangulating.repair.pieces import tidied
 
 _Floats = NDArray[np.float64]

@@ -16,7 +16,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from tween.geometry.curve import find_crossings, spikes
+from tween.geometry.crossings import find_crossings
+from tween.geometry.curve import spikes
 from tween.triangulating.repair.smoothing import Path
 
 _FOLD = -0.7  # cosine of the turn from which on a path may fold back

@@ -10,6 +10,7 @@ References
 Shor and Van Wyk (1992), Section 4.
 """
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -19,11 +20,13 @@ from numpy.typing import NDArray
 from tween.errors import TweenError
 from tween.triangulating.table.counting import count_exactly
 from tween.triangulating.table.immersions import delaunay_splits, delaunay_triangles
+from tween.triangulating.table.optimum import best_splits, follow
 from tween.triangulating.table.pairs import find_pair, find_pairs, list_splits, needed_pairs, walk
-from tween.triangulating.table.sampling import count_in_floats
+from tween.triangulating.table.sampling import count_in_floats, draw
 
 _MOST_PAIRS = 2**28
 _MOST_SPLITS = 2**29
+_AT_ONCE = 2**20  # triangles whose costs are asked for
 
 
 class Graph(NamedTuple):
@@ -106,6 +109,30 @@ class Table:
         total = int(counts[graph.first[graph.whole] : graph.first[graph.whole + 1]].sum())
         parts = graph.ends, graph.first, graph.apex, graph.left, graph.right, counts, graph.whole
         return [delaunay_triangles(points, *parts, number) for number in range(total)]
+
+    def draw(self, uniforms: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Draw triangulations, (k, n-2, 3), uniformly: one for each row of uniform numbers, (k, n-2)."""
+        graph = self.graph
+        parts = graph.whole, graph.first, graph.apex, graph.left, graph.right, graph.ends
+        triangles: NDArray[np.int64] = draw(*parts, *self.weights, uniforms)
+        return triangles
+
+    def cheapest(
+        self, cost: Callable[[NDArray[np.int64]], NDArray[np.float64]], largest_counts: bool
+    ) -> NDArray[np.int64]:
+        """Find the triangulation, (n-2, 3), whose costs have the least sum, or the least maximum."""
+        graph = self.graph
+        costs = np.empty(len(graph.apex))
+        for low in range(0, len(costs), _AT_ONCE):
+            block = graph.triangles(low, min(low + _AT_ONCE, len(costs)))
+            given = np.asarray(cost(block), dtype=np.float64)
+            if given.shape != (len(block),) or np.isnan(given).any():
+                raise ValueError(f"cost gave shape {given.shape}, expected {len(block)} numbers, none of them NaN")
+            costs[low : low + _AT_ONCE] = given
+        best = best_splits(graph.first, graph.left, graph.right, costs, largest_counts)
+        parts = graph.whole, graph.ends, graph.apex, graph.left, graph.right
+        triangles: NDArray[np.int64] = follow(*parts, best, self._n - 2)
+        return triangles
 
     @cached_property
     def graph(self) -> Graph:
