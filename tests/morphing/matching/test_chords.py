@@ -6,7 +6,6 @@ import pytest
 
 from tween.gallery import random_disk
 from tween.morphing.matching.chords import (
-    FLAT,
     PIECE,
     ROUND,
     STRAIGHT,
@@ -15,7 +14,8 @@ from tween.morphing.matching.chords import (
     find_splits,
     straight_lines,
 )
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.flatness import FLAT
+from tween.morphing.matching.shape import Shape
 
 
 def parts(n: int, seed: int, candidates: int = 0):

@@ -8,7 +8,7 @@ from tween.gallery import random_disk
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Effort, first_level, next_level
 from tween.morphing.matching.match import energy
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 
 NO_LANDMARKS = Landmarks(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))
 

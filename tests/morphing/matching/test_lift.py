@@ -15,7 +15,7 @@ from tween.morphing.alignment import common
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, first_level
 from tween.morphing.matching.search import SMALL, even_candidates, sizes_of_levels
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 
 Floats = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
 from tween.morphing.matching.match import energy
 from tween.morphing.matching.pieces import _Finer, _grown, next_level_in_pieces
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 from tween.triangulating.flips import remesh
 
 NO_LANDMARKS = Landmarks(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))

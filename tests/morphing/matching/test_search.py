@@ -10,7 +10,8 @@ from tween import Curve, certify, gallery, match, morph, remesh, triangulate, ve
 from tween.gallery import random_disk
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.search import SMALL, even_candidates, search, sizes_of_levels
-from tween.morphing.matching.simplify import Shape, simplify
+from tween.morphing.matching.shape import Shape
+from tween.morphing.matching.simplify import simplify
 
 
 @pytest.mark.parametrize(("n", "m"), [(24, 24), (25, 100), (100, 31), (500, 3)])

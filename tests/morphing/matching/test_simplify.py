@@ -49,3 +49,10 @@ def test_straight_sides_of_a_finely_sampled_curve_are_thinned_out_evenly() -> No
     kept = simplify(remesh(triangulate(square)), [310], np.zeros(600, dtype=bool))[0].kept
     assert len(kept) == 310
     assert np.diff(np.append(kept, 600)).max() <= 4  # 2 where each second one may go
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_collinear_neighbours_do_not_keep_a_vertex(turn: float) -> None:
+    straight = np.array([[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [4, 1], [0, 1]]) @ [1, 1j] * np.exp(1j * turn)
+    T = triangulate(np.stack([straight.real, straight.imag], axis=1))
+    assert simplify(T, [4], np.zeros(7, dtype=bool))[0].kept.tolist() == [0, 4, 5, 6]

@@ -7,7 +7,7 @@ import pytest
 from tween.gallery import random_disk
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import first_level
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 from tween.morphing.matching.spread import spread
 
 NO_LANDMARKS = Landmarks(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))

@@ -11,8 +11,7 @@ and a *split* of (i, j) is a position k between such that (i, k) and (k, j) are 
 counter-clockwise triangle.  Three positions on one line of edges never make a triangle, whatever the signs of their
 rounded coordinates.
 
-Whether a chord is straight is decided by a walk from i to j through the triangles of the immersed disk, so a curve that
-bounds several disks has the chords of the one that is meant.
+Whether a chord is straight is decided by a walk from i to j through the triangles of the immersed disk that is meant.
 
 Legend: ``p q`` positions; ``v y z w`` vertices; ``h g`` half-edges ``3 t + s``; ``i k j`` as above.
 """
@@ -24,14 +23,11 @@ from numba import njit
 from numpy.typing import NDArray
 
 from tween.geometry.growing import more_rows
-from tween.geometry.predicates import orient2d_sign, turn
+from tween.geometry.predicates import turn
+from tween.morphing.matching.flatness import side_of
 
 PIECE, STRAIGHT, ROUND = 1, 2, 3
-FLAT = 1e-10
-"""Of the sum of the squares of two sides: a triangle of less than half this area counts as flat, where none must be."""
-
 _NONE = 0
-_SURE = 1e-14  # likewise: a larger cross product has the sign of the exact one, whatever rounding did
 
 
 class Positions(NamedTuple):
@@ -73,7 +69,7 @@ class Disk(NamedTuple):
     out : ndarray of int, shape (n,)
         Half-edge from each vertex to its successor on the curve.
     flat : float
-        See `side_of`.
+        See `.flatness.side_of`.
     """
 
     points: NDArray[np.float64]
@@ -229,21 +225,6 @@ def _on_one_line(lines, i, k, j):
     return False
 
 
-@njit(cache=True)
-def side_of(a, b, c, flat):
-    """Whether c lies to the left of ab, 1.0, or to the right, -1.0; 0.0 on the line, or so near that a turn decides.
-
-    Where three points are collinear, rounding makes them a triangle as soon as the curve is turned.  So with `flat`
-    above zero such triangles count as none, and the same shape has the same chords wherever it lies.  With zero the
-    sign is the exact one.
-    """
-    ux, uy, wx, wy = b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]
-    cross, size = ux * wy - uy * wx, ux * ux + uy * uy + wx * wx + wy * wy
-    if abs(cross) > max(flat, _SURE) * size:
-        return 1.0 if cross > 0.0 else -1.0
-    return 0.0 if flat > 0.0 else orient2d_sign(a[0], a[1], b[0], b[1], c[0], c[1])
-
-
 @njit(cache=True, inline="always")
 def _sees(positions, disk, p, q):
     """Whether the segment from p to q runs inside the disk, its ends excepted: walk along it from p."""
@@ -285,8 +266,7 @@ def _sector(disk, h, goal, goal_vertex):
         y, z = triangles[t, (s + 1) % 3], triangles[t, (s + 2) % 3]
         if y == goal_vertex or z == goal_vertex:
             return -2
-        after_y, before_z = side_of(v, disk.points[y], goal, disk.flat), side_of(v, goal, disk.points[z], disk.flat)
-        if after_y > 0 and before_z > 0:
+        if side_of(v, disk.points[y], goal, disk.flat) > 0 and side_of(v, goal, disk.points[z], disk.flat) > 0:
             return 3 * t + (s + 1) % 3
         h = twin[3 * t + (s + 2) % 3]
     return -1
@@ -302,7 +282,7 @@ def find_splits(
     positions : Positions
     chords : Chords
     flat : float
-        See `side_of`.
+        See `.flatness.side_of`.
     by_whole : bool
 
     Returns

@@ -20,7 +20,8 @@ from tween.morphing.matching.chords import Chords, Positions, all_pairs, find_ch
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
 from tween.morphing.matching.reach import ON_NODE, near_pairs
-from tween.morphing.matching.simplify import Level, Shape
+from tween.morphing.matching.shape import Shape
+from tween.morphing.matching.simplify import Level
 
 _Floats = NDArray[np.float64]
 

@@ -31,7 +31,7 @@ from tween.geometry.triangulation import Triangulation, canonical
 from tween.morphing.matching.given import Given, Landmarks, checked_landmarks
 from tween.morphing.matching.levels import Correspondence
 from tween.morphing.matching.search import Found, search
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 from tween.morphing.matching.spread import spread
 
 
@@ -115,8 +115,8 @@ def match(
     Up to 24 vertices each, one table decides and the answer is `exact`; where it finds nothing, more candidates are
     tried.  Larger curves are simplified first and refined level by level, in proportion to their vertices.  The energy
     does not depend on where the curves start, on their places, sizes and directions, or on which is the source.
-    Energies that agree to twelve digits are equal; of equally good correspondences the one that turns the source least
-    is taken.  Triangles flatter than rounding can tell take no part (`.chords.side_of`), unless one of a disk's own is.
+    Energies that differ by less than 1e-9 are equal; of equally good correspondences the one that turns least is taken.
+    Triangles flatter than rounding can tell take no part, unless a disk has thin ones itself (`.flatness`).
     Two curves of 100 vertices take less than a second.  Those of more than 400 are refined piece by piece
     (`tween.morphing.matching.pieces`), so that time and memory are proportional to their vertices: 4 to 25 s and
     300 MB for two smooth ones of 10,000.

@@ -34,7 +34,7 @@ from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.kernels import Side, Windows, fill, follow, wholes
 from tween.morphing.matching.levels import SAME, Correspondence, Effort, band_around, positions_at
 from tween.morphing.matching.reach import near_pairs
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 
 _WEIGHT = 160  # positions of both curves, from which on a piece is cut off
 _ROUNDS = 2  # of growth

@@ -14,14 +14,15 @@ import numpy as np
 from tween.morphing.matching.given import Landmarks
 from tween.morphing.matching.levels import Correspondence, Effort, first_level, next_level
 from tween.morphing.matching.pieces import next_level_in_pieces
-from tween.morphing.matching.simplify import MANY, Shape
+from tween.morphing.matching.shape import Shape
+from tween.morphing.matching.simplify import MANY
 
 SMALL = 24
 """Vertices up to which two curves are matched in one exact table."""
 
 _GROWTH, _FINE_GROWTH = 1.35, 1.5  # of the number of vertices from level to level
 _LEAST_GROWTH = 1.1  # a level below the last one needs so many times fewer vertices
-_SAME = 1e-9  # relative: starts whose energies differ by less are the same
+_SAME = 1e-9  # energies, and turns, that differ by less are the same
 _CHEAP = 130  # vertices up to which rivals are refined
 _RISE = 1.25  # of the energy over all levels, above which the simplified curves stood ill for the whole
 _MORE = 2  # further attempts that are then made

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tween.geometry.curve import Curve
 from tween.geometry.triangulation import Triangulation
 from tween.morphing.matching.levels import Correspondence
-from tween.morphing.matching.simplify import Shape
+from tween.morphing.matching.shape import Shape
 from tween.triangulating.decomposition import triangulate
 from tween.triangulating.flips import remesh
 
